@@ -1,7 +1,7 @@
 #include "mip/cpp/3dm_commands.hpp"
 #include "mip/cpp/sensor.hpp"
 
-bool run(Port &port) { // your own class with read, write and now: see examples/node.cpp
+bool run(Port &port) { // your own class with read, write and now: see mip/cpp/device.hpp
     mip::device device(port);
     device.on<mip::sensor::scaled_accel>([](const auto &accel) { show(accel.scaled_accel); });
 

@@ -1,6 +1,5 @@
 /* ESP-IDF: the UART driver with its event queue. */
-#include "mip/connect.h"
-#include "mip/sensor.h"
+#include "mip/device.h"
 
 #include "driver/uart.h"
 #include "esp_timer.h"
@@ -8,8 +7,8 @@
 #include "freertos/queue.h"
 #include "freertos/task.h"
 
-/* The application's handler for an acceleration, in g. */
-void application_take(const float accel[3]);
+/* In application.c. */
+void application_run(const struct mip_port *port, bool (*set_baud)(void *user, uint32_t baud), void (*rest)(void));
 
 enum { PORT = UART_NUM_1, TX_PIN = 17, RX_PIN = 18 };
 
@@ -45,31 +44,16 @@ static bool set_baud(void *user, uint32_t baud) {
     return uart_set_baudrate(PORT, baud) == ESP_OK && uart_flush_input(PORT) == ESP_OK;
 }
 
-static void on_accel(void *user, const struct mip_field *field, uint32_t time) {
-    struct mip_sensor_scaled_accel accel;
-    (void)user, (void)time;
-    if (mip_sensor_scaled_accel_decode(&accel, field) == MIP_OK) {
-        application_take(accel.scaled_accel);
-    }
+static void rest_a_while(void) {
+    vTaskDelay(pdMS_TO_TICKS(100));
 }
 
 void app_main(void);
 void app_main(void) {
     static const struct mip_port port = {port_read, port_write, port_now, NULL};
-    static const struct mip_handler handlers[] = {{&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_accel, NULL}};
-    static struct mip_device device;
-    struct mip_base_get_device_info_response info;
-    struct mip_rate rates[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 100, 0}};
     const uart_config_t line = {.baud_rate = 115200, .data_bits = UART_DATA_8_BITS, .stop_bits = UART_STOP_BITS_1};
     ESP_ERROR_CHECK(uart_driver_install(PORT, 1024, 0, 16, &events, 0));
     ESP_ERROR_CHECK(uart_param_config(PORT, &line));
     ESP_ERROR_CHECK(uart_set_pin(PORT, TX_PIN, RX_PIN, UART_PIN_NO_CHANGE, UART_PIN_NO_CHANGE));
-    mip_device_init(&device, &port, MIP_ARRAY(handlers));
-    while (!mip_succeeded(mip_device_connect(&device, set_baud, &info)) ||
-           !mip_succeeded(mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates)))) {
-        vTaskDelay(pdMS_TO_TICKS(100)); /* the device is still starting, or nothing is connected */
-    }
-    for (;;) {
-        (void)mip_device_poll(&device);
-    }
+    application_run(&port, set_baud, rest_a_while);
 }

@@ -1,13 +1,12 @@
 /* STM32 with the HAL: DMA fills a ring, and an interrupt runs at its half and end, and when the line is idle. In CubeMX:
  * USART2 with its global interrupt, and its RX by DMA, circular. If the memory is cached, exclude the ring. Call
- * application_run in main. */
-#include "mip/connect.h"
-#include "mip/sensor.h"
+ * run_on_board in main. */
+#include "mip/device.h"
 
 #include "main.h"
 
-/* The application's handler for an acceleration, in g. */
-void application_take(const float accel[3]);
+/* In application.c. */
+void application_run(const struct mip_port *port, bool (*set_baud)(void *user, uint32_t baud), void (*rest)(void));
 
 extern UART_HandleTypeDef huart2;
 
@@ -62,27 +61,12 @@ static bool set_baud(void *user, uint32_t baud) {
     return HAL_UART_AbortReceive(&huart2) == HAL_OK && HAL_UART_Init(&huart2) == HAL_OK;
 }
 
-static void on_accel(void *user, const struct mip_field *field, uint32_t time) {
-    struct mip_sensor_scaled_accel accel;
-    (void)user, (void)time;
-    if (mip_sensor_scaled_accel_decode(&accel, field) == MIP_OK) {
-        application_take(accel.scaled_accel);
-    }
+static void rest_a_while(void) {
+    __WFI();
 }
 
-void application_run(void);
-void application_run(void) {
+void run_on_board(void);
+void run_on_board(void) {
     static const struct mip_port port = {port_read, port_write, port_now, NULL};
-    static const struct mip_handler handlers[] = {{&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_accel, NULL}};
-    static struct mip_device device;
-    struct mip_base_get_device_info_response info;
-    struct mip_rate rates[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 100, 0}};
-    mip_device_init(&device, &port, MIP_ARRAY(handlers));
-    while (!mip_succeeded(mip_device_connect(&device, set_baud, &info)) ||
-           !mip_succeeded(mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates)))) {
-        /* The device is still starting, or nothing is connected. */
-    }
-    for (;;) {
-        (void)mip_device_poll(&device);
-    }
+    application_run(&port, set_baud, rest_a_while);
 }

@@ -1,15 +1,14 @@
 /* Zephyr: the asynchronous UART, whose DMA fills two buffers in turn. In prj.conf: CONFIG_MIP=y, CONFIG_SERIAL=y,
  * CONFIG_UART_ASYNC_API=y, CONFIG_RING_BUFFER=y; in the devicetree: the alias mip-uart. */
-#include "mip/connect.h"
-#include "mip/sensor.h"
+#include "mip/device.h"
 
 #include <zephyr/device.h>
 #include <zephyr/drivers/uart.h>
 #include <zephyr/kernel.h>
 #include <zephyr/sys/ring_buffer.h>
 
-/* The application's handler for an acceleration, in g. */
-void application_take(const float accel[3]);
+/* In application.c. */
+void application_run(const struct mip_port *port, bool (*set_baud)(void *user, uint32_t baud), void (*rest)(void));
 
 /* Microseconds without a byte after which a piece is complete. */
 #define IDLE 1000
@@ -62,29 +61,14 @@ static uint32_t port_now(void *user) {
     return k_uptime_get_32();
 }
 
-static void on_accel(void *user, const struct mip_field *field, uint32_t time) {
-    struct mip_sensor_scaled_accel accel;
-    (void)user, (void)time;
-    if (mip_sensor_scaled_accel_decode(&accel, field) == MIP_OK) {
-        application_take(accel.scaled_accel);
-    }
+static void rest_a_while(void) {
+    k_msleep(100);
 }
 
 int main(void) {
     static const struct mip_port port = {port_read, port_write, port_now, NULL};
-    static const struct mip_handler handlers[] = {{&mip_sensor_scaled_accel_codec, MIP_ANY_SET, on_accel, NULL}};
-    static struct mip_device device;
-    struct mip_base_get_device_info_response info;
-    struct mip_rate rates[] = {{MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 100, 0}};
     struct uart_event start = {.type = UART_RX_DISABLED};
-    mip_device_init(&device, &port, MIP_ARRAY(handlers));
     (void)uart_callback_set(uart, on_uart, NULL);
     on_uart(uart, &start, NULL);
-    while (!mip_succeeded(mip_device_connect(&device, NULL, &info)) ||
-           !mip_succeeded(mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates)))) {
-        k_msleep(100); /* the device is still starting, or nothing is connected */
-    }
-    for (;;) {
-        (void)mip_device_poll(&device);
-    }
+    application_run(&port, NULL, rest_a_while);
 }

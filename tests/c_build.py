@@ -17,7 +17,7 @@ PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
-UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "stream")
+UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles")
 #: How firmware is compiled, so that the linker can leave out each function; and with most of the warnings.
 FIRMWARE = ("-std=c99", "-O2", "-ffunction-sections", "-fdata-sections")
 SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]

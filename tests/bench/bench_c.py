@@ -1,4 +1,4 @@
-"""C: speed, instructions per byte, and size. bench_c_peer.py compares it with the vendor's SDK.
+"""C: speed, and instructions per byte. bench_c_board.py has sizes; bench_c_peer.py compares it with the vendor's SDK.
 
 Times are processor times, the best of many rounds; instructions are counted by valgrind. `make bench README=1` writes
 the result into the README.
@@ -40,20 +40,8 @@ ROWS = (
 #: Rows that are measured with the portable checksum too.
 CHECKSUM = {"ours_parse", "ours_direct", "ours_build_direct"}
 
-ARM = ["-mcpu=cortex-m4", "-mthumb", "-std=c99", "-Os", "-ffreestanding", "-ffunction-sections", "-fdata-sections"]
 #: The functions of the C library and of the compiler are not counted.
 OUTSIDE = ("memcpy", "memmove", "memset", "memchr", "strcmp", "__aeabi_uldivmod")
-LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in OUTSIDE)]
-
-#: Optional parts: a header, and a function that links its tables.
-OPTIONAL = (
-    ("device", "mip_device_call"),
-    ("extra/registry", "mip_registry_find"),
-    ("extra/profiles", "mip_profile_find"),
-    ("extra/reflect", "mip_reflect"),
-    ("extra/print", "mip_print_packet"),
-)
-STATES = '#include "mip/core.h"\nstruct mip_parser mip_parser;\n'
 
 Row = list[str]
 
@@ -127,87 +115,6 @@ def speed() -> list[Row]:
     return rows
 
 
-# --------------------------------------------------------------------------- size
-
-
-def linked(name: str, symbols: list[str], text: str = "") -> int:
-    """Bytes of code and constants that some functions and tables, and all that they need, take on a Cortex-M4."""
-    source, program, options = (BUILD / f"{name}.{suffix}" for suffix in ("c", "elf", "options"))
-    source.write_text(text + "int main(void) { return 0; }\n")
-    options.write_text("".join(f"-Wl,--undefined={s}\n" for s in symbols))
-    run("arm-none-eabi-gcc", *ARM, *LINK, "-Wl,-e,main", f"-I{SOURCES}", f"-I{HERE}", source,
-        *library(), f"@{options}", "-o", program)  # fmt: skip
-    code, data = run("arm-none-eabi-size", program).splitlines()[1].split()[:2]
-    return int(code) + int(data) - (linked("empty", []) if symbols else 0)
-
-
-def state(symbol: str) -> int:
-    """Size of a variable of the program that holds the states."""
-    found = re.search(rf"^\S+ (\S+) \S {symbol}$", run("arm-none-eabi-nm", "-S", BUILD / "states.elf"), re.M)
-    assert found
-    return int(found[1], 16)
-
-
-def sizes() -> list[Row]:
-    if shutil.which("arm-none-eabi-gcc") is None:
-        return []
-    paths = sorted((SOURCES / "mip").glob("*.h"))
-    headers = "".join(p.read_text("utf-8") for p in paths)
-    codecs = [f"{name}_codec" for name in sorted(set(re.findall(r"^MIP_FIELD\((\w+),", headers, re.M)))]
-    linked("states", ["mip_parser"], STATES)
-    table = linked("tables", [*codecs, "mip_decode", "mip_encode"]) / len(codecs)
-    return [
-        ["state of the parser, in RAM", f"{state('mip_parser')} B"],
-        ["decode and encode all layouts, for each", f"{table:.1f} B"],
-        ["of that, shared by all: the table reader", f"{linked('reader', ['mip_decode', 'mip_encode'])} B"],
-        ["names of the acknowledge codes", f"{linked('names', ['mip_ack_code_name'])} B"],
-        *([f"optional, all of `{name}.h`", f"{linked(s, [s]) / 1000:.0f} kB"] for name, s in OPTIONAL),
-    ]
-
-
-# --------------------------------------------------------------------------- by source
-
-BY_SOURCE = ROOT / "docs/parts/bench_c_sources.md"
-#: The sources that programs link most often.
-PARTS = ("core", "parser", "parser_small", "parser_fast", "codec", "program", "value", "stream", "client", "device",
-         "connect")  # fmt: skip
-FUNCTION = re.compile(r"^[A-Za-z_][^;{}#=]*?\b(\w+)\([^;{}]*\)\s*\{\n(.*?)^\}", re.S | re.M)
-
-
-def complexity(source: str) -> tuple[int, str]:
-    """The largest cyclomatic complexity of a function, which is one more than its decisions, and the function."""
-    code = re.sub(r"/\*.*?\*/|//[^\n]*|^#.*?$|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'", "", source, flags=re.S | re.M)
-    return max(
-        (1 + len(re.findall(r"\b(?:if|for|while|case)\b|&&|\|\||\?", body)), name)
-        for name, body in FUNCTION.findall(code)
-    )
-
-
-def by_source() -> str:
-    """Size of each source on a Cortex-M4 before unused code is removed, and its most complex function, as Markdown."""
-    BUILD.mkdir(parents=True, exist_ok=True)
-    rows, totals = [], [0, 0]
-    for name in PARTS:
-        (source,), sizes, stack = (SOURCES / "mip").glob(f"*/{name}.c"), [], 0
-        for level in ("-O2", "-Os"):
-            made = BUILD / f"{name}{level}.o"
-            flags = [flag for flag in ARM if flag != "-Os"]
-            choice = [f"-DMIP_{name.upper()}"] if name.startswith("parser_") else []
-            run("arm-none-eabi-gcc", *flags, level, *choice, "-fstack-usage", f"-I{SOURCES}", "-c",
-                source, "-o", made)  # fmt: skip
-            code, data = run("arm-none-eabi-size", made).splitlines()[1].split()[:2]
-            sizes.append(int(code) + int(data))
-            stack = max(int(line.split("\t")[1]) for line in made.with_suffix(".su").read_text("utf-8").splitlines())
-        most, function = complexity(source.read_text("utf-8"))
-        if name != "parser_fast":
-            totals = [a + b for a, b in zip(totals, sizes, strict=True)]
-        decisions = str(most) if most <= 10 else f"{most} (`{function}`)"
-        rows.append([f"`{name}.c`", *(f"{size} B" for size in sizes), f"{stack} B", decisions])
-    rows.append(["all, with the small parser", *(f"{size} B" for size in totals), "", ""])
-    heads = ["Source", "Size, `-O2`", "Size, `-Os`", "Stack, `-Os`", "Complexity"]
-    return f"{version('arm-none-eabi-gcc')}, for a Cortex-M4.\n\n" + table(heads, rows)
-
-
 # --------------------------------------------------------------------------- report
 
 
@@ -226,18 +133,11 @@ def report(readme: bool = False) -> str:
     out += table(heads[:columns], [row[:columns] for row in speed()])
     if shutil.which("valgrind") is None:
         out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"
-    small = sizes()
-    if not small:
-        return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
-    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library.\n\n"
-    return out + table(["Size", "Code and constants"], small)
+    return out
 
 
 def write_readme() -> None:
-    missing = [tool for tool in ("valgrind", "arm-none-eabi-gcc") if shutil.which(tool) is None]
-    if missing:
-        needs = " and ".join(missing)
-        raise SystemExit(f"bench: the README needs {needs} (Debian: apt-get install valgrind gcc-arm-none-eabi)")
+    if shutil.which("valgrind") is None:
+        raise SystemExit("bench: the README needs valgrind (Debian: apt-get install valgrind)")
     README.write_text(report(readme=True), "utf-8")
-    BY_SOURCE.write_text(by_source(), "utf-8")
-    print(f"{README.relative_to(ROOT)} and {BY_SOURCE.name} are written; now: make generate golden")
+    print(f"{README.relative_to(ROOT)} is written; now: make generate golden")

@@ -15,7 +15,6 @@ import pytest
 from c_build import (
     FIRMWARE,
     HERE,
-    SANITIZE,
     SANITIZED,
     WARNINGS,
     archive,
@@ -103,7 +102,7 @@ def test_only_the_promised_headers(spec: str) -> None:
         text = path.read_text("utf-8")
         if path.name == "export.h":  # the only place for attributes, for each compiler that has them
             text = text.replace("__attribute__", "")
-        vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.h" else set()  # headers of compilers
+        vectors = {"<emmintrin.h>"} if path.name == "checksum.h" else set()  # a header of compilers
         assert set(re.findall(r"#include (<.*>)", text)) <= allowed | vectors, path
         assert not re.search(r"\b(malloc|calloc|realloc|free|printf|abort|assert)\(|__attribute__|#pragma", text), path
         # Members have a fixed width, except the outcome of a call.
@@ -136,19 +135,6 @@ def test_names_of_the_core_are_taken() -> None:
     assert len(found) > 200 and found - set(runtime.runtime_names()) == set()
     assert {"to_string", "basic_result", "print_to", "detail", "layout", "outcome"} <= runtime.in_namespace()
     assert not {"value", "data", "type", "Response", "count"} & runtime.in_namespace()
-
-
-# --------------------------------------------------------------------------- programs
-
-
-@pytest.mark.parametrize(
-    "pair",
-    [pytest.param("cc g++", marks=heavy("g++")), pytest.param("clang clang++", marks=heavy("clang"))],
-)
-def test_a_cpp_program(pair: str, tmp_path: Path) -> None:
-    c, cpp = pair.split()
-    library = archive("invented", c, *SANITIZED)
-    run(compiled(tmp_path / "use", "invented", cpp, HERE / "unit/use.cpp", "-std=c++11", *SANITIZE, library=library))
 
 
 # --------------------------------------------------------------------------- constructors
@@ -460,11 +446,6 @@ def device_checks(d: m.Device, of: m.Model) -> Iterator[str]:
     for r in d.base_rates:
         yield f"CHECK(!(mip_profile_base_rate(&{name}, {r.set.number}) < {r.hertz}));"
         yield f"CHECK(!(mip_profile_base_rate(&{name}, {r.set.number}) > {r.hertz}));"
-    for i, x in enumerate(d.limits):
-        limit = f"{name}.limits[{i}]"
-        yield f'CHECK(strcmp({limit}.unit, "{x.unit or ""}") == 0);'
-        yield f"CHECK(!({limit}.value < {x.value}) && !({limit}.value > {x.value}));"
-        yield f'CHECK(strcmp({limit}.firmware, "{x.firmware or ""}") == 0);'
     for s in d.supports:
         firmware = f"mip_profile_firmware_of(&{name}, {s.set}, {s.field.descriptor})"
         yield f'CHECK(strcmp({firmware}, "{s.firmware}") == 0);' if s.firmware else f"CHECK({firmware} == NULL);"
@@ -473,9 +454,6 @@ def device_checks(d: m.Device, of: m.Model) -> Iterator[str]:
     for v in readings:
         assert v.variant.type is not None
         yield f'CHECK(strcmp(mip_profile_reading_of(&{name}, "{v.path}"), "{v.variant.type.full_name}") == 0);'
-    yield f"CHECK({name}.ack_code_count == {len(d.ack_codes)});"
-    for i, code in enumerate(d.ack_codes):
-        yield f"CHECK({name}.ack_codes[{i}] == {code});"
 
 
 @small("programs of the real C library")
@@ -608,12 +586,11 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     example = (folder("real") / "quickstart.c").read_text("utf-8").partition("*/\n")[2].rstrip()
     first, blocks = blocks[0].rstrip(), blocks[1:]  # the first one runs in test_c_ports
     assert (folder("real") / "examples/stream.c").read_text("utf-8").partition("*/\n")[2].rstrip() == first
-    assert blocks[0].rstrip() == example and len(blocks) == 13
+    assert blocks[0].rstrip() == example and len(blocks) == 11
     outside = (
         "uint32_t milliseconds(void);\nvoid transmit(const uint8_t *bytes, size_t size);\n"
         "size_t ring_end(void);\nsize_t receive(uint8_t *bytes, size_t size);\n"
-        "void handle(const struct mip_packet *packet);\nvoid places(const size_t *offsets, size_t count);\n"
-        "void sentence(uint64_t offset, const uint8_t *bytes, size_t size);\n"
+        "void handle(const struct mip_packet *packet);\n"
         "void plot(int receiver, double latitude, double longitude);\n"
         "void show(const float accel[3], uint32_t arrived);\nvoid report(const char *outcome, const char *reason);\n"
     )

@@ -270,8 +270,8 @@ def test_the_compiler_sees(mistake: str, compiler: str, tmp_path: Path) -> None:
 
 def test_the_examples_are_these() -> None:
     assert {p.name for p in EXAMPLES.iterdir()} == {
-        "stream.c", "bare_metal.c", "freertos.c", "zephyr.c", "esp_idf.c", "stm32.c", "arduino", "arduino_cpp",
-        "autopilot.cpp", "log.c", "log.cpp", "node.cpp"
+        "stream.c", "bare_metal.c", "freertos.c", "application.c", "zephyr.c", "esp_idf.c", "stm32.c", "arduino",
+        "log.c", "log.cpp"
     }  # fmt: skip
     headers = set(re.findall(r"#include <(.*)>", (EXAMPLES / "bare_metal.c").read_text("utf-8")))
     assert headers == set()  # nothing of the C library

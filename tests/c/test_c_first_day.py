@@ -123,8 +123,9 @@ def test_boards(system: str, tmp_path: Path) -> None:
     for name in re.findall(r'#include ["<](?!mip/)([^">]*)', source.read_text("utf-8")):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(f'#include "boards/{system}.h"\n')
+    also = [*SOURCES, *([] if system == "freertos" else [EXAMPLE.parent / "application.c"])]
     program = compiled(
-        tmp_path / "program", "real", "cc", source, *flags, f"-I{PORTS}", f"-I{HERE}", f"-I{tmp_path}", also=SOURCES,
+        tmp_path / "program", "real", "cc", source, *flags, f"-I{PORTS}", f"-I{HERE}", f"-I{tmp_path}", also=also,
         library=archive("real", "cc", *flags),
     )  # fmt: skip
     with simulated("--tcp", "0") as place:

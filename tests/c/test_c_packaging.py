@@ -64,10 +64,6 @@ def user(where: Path, lines: str) -> Path:
     return where
 
 
-def meson(*arguments: str | Path) -> str:
-    return run(need("meson"), *arguments, NINJA=need("ninja"), PKG_CONFIG=need("pkg-config"))
-
-
 def add_unmarked(library: Path) -> None:
     """A function that MIP_API does not mark; there may be none."""
     with (library / "src/mip/core/core.c").open("a") as file:
@@ -100,32 +96,10 @@ def test_folder_alone_builds(project: Path) -> None:
 
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
-def test_every_list_names_every_source(spec: str) -> None:
-    lists = {"cmake/sources.cmake": r"^  \${MIP_FOLDER}/(src/\S+\.c)$", "meson.build": r"^  '(src/\S+\.c)',$"}
+def test_the_list_names_every_source(spec: str) -> None:
     wanted = [Path(source).relative_to(folder(spec)).as_posix() for source in sources(spec)]
-    for name, line in lists.items():
-        assert re.findall(line, (folder(spec) / name).read_text("utf-8"), re.M) == wanted
-    listed = re.findall(r"^    '(src/\S+\.h(?:pp)?)',$", (folder(spec) / "meson.build").read_text("utf-8"), re.M)
-    assert sorted(listed) == sorted(str(p.relative_to(folder(spec))) for p in folder(spec).rglob("src/mip/**/*.h*"))
-
-
-@pytest.mark.parametrize(
-    ("defines", "expected"),
-    [
-        ("", ""),
-        ("-D_WIN32", ""),
-        ("-D_WIN32 -DMIP_SHARED", "__declspec(dllimport)"),
-        ("-D_WIN32 -DMIP_SHARED -DMIP_BUILDING", "__declspec(dllexport)"),
-        ("-DMIP_SHARED -DMIP_BUILDING", '__attribute__((visibility("default")))'),
-        ("-DMIP_SHARED", '__attribute__((visibility("default")))'),
-        ("-DMIP_SHARED -U__GNUC__", ""),
-    ],
-)
-def test_what_marks_an_export(defines: str, expected: str, tmp_path: Path) -> None:
-    program = tmp_path / "program.c"
-    program.write_text('#include "mip/core/export.h"\nMIP_API;\n')
-    done = run(need("cc"), "-E", "-P", f"-I{folder('real')}/src", *defines.split(), program)
-    assert done.strip().removesuffix(";").strip() == expected
+    text = (folder(spec) / "cmake/sources.cmake").read_text("utf-8")
+    assert re.findall(r"^  \${MIP_FOLDER}/(src/\S+\.c)$", text, re.M) == wanted
 
 
 # --------------------------------------------------------------------------- CMake
@@ -192,19 +166,6 @@ def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
     quickstart(project / "main", LD_LIBRARY_PATH=str(library))
 
 
-@pytest.mark.parametrize("libdir", ["lib/machine", "/other/lib"])
-def test_pkg_config_of_other_folders(libdir: str, tmp_path: Path) -> None:
-    options = ("-DCMAKE_INSTALL_PREFIX=/prefix", f"-DCMAKE_INSTALL_LIBDIR={libdir}")
-    headers = "include" if libdir == "lib/machine" else "/other/include"
-    run(need("cmake"), "-S", folder("real"), "-B", tmp_path, *options, f"-DCMAKE_INSTALL_INCLUDEDIR={headers}")
-    folders = (tmp_path / "mip.pc").read_text("utf-8").splitlines()[:3]
-    if libdir == "lib/machine":
-        wanted = ["prefix=${pcfiledir}/../../..", "libdir=${prefix}/lib/machine", "includedir=${prefix}/include"]
-    else:
-        wanted = ["prefix=/prefix", "libdir=/other/lib", "includedir=/other/include"]
-    assert folders == wanted
-
-
 def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
     """A DLL and a program that imports from it."""
     compiler, build = need("x86_64-w64-mingw32-gcc"), tmp_path / "build"
@@ -218,80 +179,13 @@ def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
     assert "U __imp_mip_parser_next" in unresolved  # imported directly
 
 
-# --------------------------------------------------------------------------- Meson
-
-
-def test_meson_subproject(project: Path, tmp_path: Path) -> None:
-    """It installs nothing into the prefix of the project."""
-    (project / "subprojects").mkdir()
-    (project / "mip").rename(project / "subprojects/mip")
-    (project / "meson.build").write_text("project('user', 'c')\n" + shown("Meson", "meson")[0])
-    build = tmp_path / "build"
-    meson("setup", build, project, "--wrap-mode=forcefallback")
-    meson("compile", "-C", build)
-    quickstart(build / "main")
-    assert json.loads(meson("introspect", "--installed", build)) == {}
-
-
-def test_meson_installed(project: Path, tmp_path: Path) -> None:
-    """A shared library, which is Meson's default, found by another project of Meson, which asks pkg-config."""
-    prefix = tmp_path / "prefix"
-    add_unmarked(project / "mip")
-    options = (f"--prefix={prefix}", "--libdir=lib", "-Dpkgconfig.relocatable=true")
-    meson("setup", tmp_path / "build", project / "mip", *options)
-    meson("install", "-C", tmp_path / "build")
-    shutil.rmtree(project / "mip")
-    installed = {p.relative_to(prefix).as_posix() for p in (prefix / "include").rglob("*.h")}
-    source = folder("real") / "src"
-    assert installed == {f"include/{p.relative_to(source).as_posix()}" for p in source.rglob("mip/**/*.h")}
-    moved = prefix.rename(tmp_path / "moved")
-    (project / "meson.build").write_text("project('user', 'c')\n" + shown("Meson", "meson")[0])
-    meson("setup", tmp_path / "user", project, f"--pkg-config-path={moved}/lib/pkgconfig")
-    meson("compile", "-C", tmp_path / "user")
-    quickstart(tmp_path / "user/main", LD_LIBRARY_PATH=f"{moved}/lib")
-    assert exported(moved / "lib/libmip.so") == marked(tmp_path) > {"mip_parser_next"}
-
-
-# --------------------------------------------------------------------------- Conan and vcpkg
-
-
-#: Asks for both targets of the package that a manager has made.
-USER = "find_package(mip REQUIRED)\ntarget_link_libraries(main mip::mip mip::ports)"
-
-
-def test_conan(project: Path, tmp_path: Path) -> None:
-    """The recipe makes a package, and a project finds it by what Conan writes for CMake."""
-    create = shown("Conan and vcpkg", "sh")[0].strip()
-    path = f"{Path(need('conan')).parent}{os.pathsep}{os.environ['PATH']}"  # also of cmake and ninja
-    home = {"CONAN_HOME": str(tmp_path / "home"), "PATH": path}
-    run("conan", "profile", "detect", **home)
-    run("sh", "-c", f"cd {project} && {create} -c tools.cmake.cmaketoolchain:generator=Ninja", **home)
-    shutil.rmtree(project / "mip")
-    install = ("install", f"--requires=mip/{VERSION}", "-g", "CMakeDeps", "--output-folder", tmp_path / "found")
-    run("conan", *install, **home)
-    options = (f"-DCMAKE_PREFIX_PATH={tmp_path}/found", "-DCMAKE_BUILD_TYPE=Release")
-    cmake(user(project, USER), tmp_path / "user", *options)
-    quickstart(tmp_path / "user/main")
-
-
-def test_the_port_of_vcpkg(project: Path, tmp_path: Path) -> None:
-    """vcpkg is in no registry: its functions, as far as the port uses them, are in tests/c/packages."""
-    port, prefix = project / "mip/vcpkg", tmp_path / "packages"
-    manifest = json.loads((port / "vcpkg.json").read_text("utf-8"))
-    assert manifest["name"] == "mip" and manifest["version"] == VERSION and manifest["license"] == "MIT"
-    assert {d["name"] for d in manifest["dependencies"]} == {"vcpkg-cmake", "vcpkg-cmake-config"}
-    folders = (f"-DCURRENT_PORT_DIR={port}", f"-DCURRENT_PACKAGES_DIR={prefix}", f"-DBUILD={tmp_path}/build")
-    run(need("cmake"), *folders, f"-DNINJA={need('ninja')}", "-P", PACKAGES / "vcpkg/functions.cmake")
-    shutil.rmtree(project / "mip")
-    assert {"share/mip/copyright", "include/mip/line.h", "lib/libmip_ports.a"} <= {*installed(prefix)}
-    cmake(user(project, USER), tmp_path / "user", f"-DCMAKE_PREFIX_PATH={prefix}")
-    quickstart(tmp_path / "user/main")
+# --------------------------------------------------------------------------- manifests
 
 
 def test_manifests_have_the_home_page() -> None:
     address = model("invented").protocol.repository
     assert address and not model("real").protocol.repository
-    for name in ("library.json", "library.properties", "idf_component.yml", "conanfile.py", "vcpkg/vcpkg.json"):
+    for name in ("library.json", "library.properties", "idf_component.yml"):
         assert address in (folder("invented") / name).read_text("utf-8")
         assert not re.search(r"homepage|\burl\b", (folder("real") / name).read_text("utf-8"))
 

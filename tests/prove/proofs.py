@@ -212,7 +212,7 @@ def kept(proof: Proof, cbmc: str, seconds: int) -> Result:
 
 #: For nearly each proof a change that it must refute, so that none is vacuous: file, old text, new text, proof.
 PLANTS = [
-    ("core.h", "if (left == 0) {", "if (walk->error != MIP_OK) {", "walk"),
+    ("core.h", "length < 2 || length > left", "length < 2", "walk"),
     ("core.h", "packet->size >= MIP_HEADER_SIZE", "packet->size + 1 >= MIP_HEADER_SIZE", "walk_begins"),
     ("core.h", "capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE", "capacity < MIP_HEADER_SIZE", "builder"),
     ("core.c", "size < 2 || bytes[0]", "size < 1 || bytes[0]", "packet"),

@@ -14,7 +14,6 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/core/parser_small.c
   ${MIP_FOLDER}/src/mip/core/program.c
   ${MIP_FOLDER}/src/mip/core/protocol.c
-  ${MIP_FOLDER}/src/mip/core/stream.c
   ${MIP_FOLDER}/src/mip/core/value.c
   ${MIP_FOLDER}/src/mip/extra/label.c
   ${MIP_FOLDER}/src/mip/extra/lookup.c

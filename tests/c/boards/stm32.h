@@ -53,11 +53,11 @@ static void uart_arrived(const uint8_t *bytes, size_t size) {
     pthread_mutex_unlock(&cpu);
 }
 
-void application_run(void);
+void run_on_board(void);
 int main(void) {
     pthread_mutex_lock(&cpu);
     uart_open();
-    application_run();
+    run_on_board();
 }
 
 #endif

@@ -8,15 +8,10 @@ contains no message definitions.
 from __future__ import annotations
 
 import json
-import os
 import re
-import select
-import socket
 import struct
 import subprocess
 import sys
-import time
-import tty
 from collections.abc import Iterator
 from typing import Any
 
@@ -251,8 +246,7 @@ class Driver:
         try:
             request = json.loads(line)
             op = request["op"]
-            handler = {"parse": self.parse, "decode": self.decode, "encode": self.encode, "client": self.client,
-                       "live": self.live}[op]  # fmt: skip
+            handler = {"parse": self.parse, "decode": self.decode, "encode": self.encode, "client": self.client}[op]
             return handler(request)
         except Wrong as wrong:
             return {"error": str(wrong)}
@@ -325,58 +319,26 @@ class Driver:
     def client(self, request: Json) -> Json:
         return {"events": Session(self).play(request["steps"])}
 
-    def live(self, request: Json) -> Json:
-        name, steps = request["port"], request["steps"]
-        if not isinstance(name, str) or not isinstance(steps, list):
-            raise Wrong("request")
-        try:
-            port = opened(name)
-        except (OSError, ValueError):
-            raise Wrong("port") from None
-        try:
-            return {"events": Session(self, port).play(steps)}
-        finally:
-            os.close(port)
-
-
-def opened(name: str) -> int:
-    """A port, by its handle."""
-    host, colon, service = name.rpartition(":")
-    if colon:
-        return socket.create_connection((host, int(service))).detach()
-    handle = os.open(name, os.O_RDWR | os.O_NOCTTY)
-    tty.setraw(handle)
-    return handle
-
 
 class Session:
-    """The steps of a client, at a port or without one."""
+    """The steps of a client."""
 
-    def __init__(self, driver: Driver, port: int | None = None) -> None:
-        self.driver, self.port, self.closed = driver, port, False
+    def __init__(self, driver: Driver) -> None:
+        self.driver, self.now = driver, 0
         self.events: list[Json] = []
-        self.now, self.start = 0, time.monotonic()
-        self.waits = False
         driver.program.ask("client")
 
     def play(self, steps: Any) -> list[Json]:
         if not isinstance(steps, list):
             raise Wrong("request")
-        kinds = {"send": self.send, "end": self.end}
-        if self.port is None:
-            kinds |= {"receive": self.receive, "time": self.wait}
-        else:
-            kinds |= {"answers": self.answers, "listen": self.listen}
+        kinds = {"send": self.send, "receive": self.receive, "time": self.wait, "end": self.end}
         for step in steps:
             kinds[step["step"]](step)
         return self.events
 
     def ask(self, word: str, *words: object) -> None:
         """Makes a step, and adds its events: answers come before the fields of their packet that answer nothing."""
-        if self.port is not None:
-            self.now = int((time.monotonic() - self.start) * 1000)
         found = self.driver.program.ask(word, self.now, *words)
-        self.waits = found["waits"]
         for entry in found["events"]:
             parts = entry.get("parts", [entry])
             answers = [p for p in parts if "event" in p]
@@ -399,13 +361,7 @@ class Session:
                 raise
             self.events.append({"event": "not_sent", "error": str(wrong)})
             return
-        before = len(self.events)
         self.ask("send", number, *words)
-        if self.port is not None and self.events[before]["event"] == "sent" and not self.closed:
-            try:
-                os.write(self.port, bytes.fromhex(self.events[before]["packet"]))
-            except OSError:
-                self.closed = True
 
     def receive(self, step: Json) -> None:
         self.ask("receive", whole(step.get("chunk", 1 << 30), 1, 1 << 60), hexadecimal(step["bytes"]))
@@ -416,34 +372,6 @@ class Session:
 
     def end(self, step: Json) -> None:
         self.ask("end")
-
-    def answers(self, step: Json) -> None:
-        while self.waits:
-            self.listen_for(0.1)
-
-    def listen(self, step: Json) -> None:
-        end = time.monotonic() + whole(step["milliseconds"], 0, 1 << 32) / 1000
-        while (left := end - time.monotonic()) > 0:
-            self.listen_for(min(left, 0.1))
-
-    def listen_for(self, seconds: float) -> None:
-        """Takes what arrives, or lets the time pass."""
-        assert self.port is not None
-        if self.closed:
-            time.sleep(seconds)
-        elif select.select([self.port], [], [], seconds)[0]:
-            try:
-                data = os.read(self.port, 4096)
-            except OSError:  # a closed pseudo-terminal returns an error
-                data = b""
-            if data:
-                self.ask("receive", len(data), f"x{data.hex()}")
-                return
-            self.closed = True
-            self.ask("time")
-            self.events.append({"event": "closed"})
-            return
-        self.ask("time")
 
 
 if __name__ == "__main__":

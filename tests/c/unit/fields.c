@@ -4,6 +4,7 @@
 #include "mip/3d.h"
 #include "mip/measurements_inline.h"
 #include "mip/core/program.h"
+#include "mip/extra/names.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 

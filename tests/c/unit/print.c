@@ -21,12 +21,8 @@ static void print(const struct mip_print *to, const char *what, const uint8_t *b
     struct mip_packet packet = {bytes, size, size > 2 ? bytes[2] : (uint8_t)0};
     struct mip_walk walk = mip_walk_packet(&packet);
     struct mip_field field;
-    if (strcmp(what, "bytes") == 0) {
-        mip_print_bytes(to, bytes, size);
-    } else if (strcmp(what, "packet") == 0) {
+    if (strcmp(what, "packet") == 0) {
         mip_print_packet(to, &packet);
-    } else if (strcmp(what, "hex") == 0) {
-        mip_print_hex(to, bytes, size);
     } else if (strcmp(what, "float") == 0) {
         float value;
         mip_get_float(&value, bytes);

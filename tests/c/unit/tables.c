@@ -65,10 +65,6 @@ static void devices(void) {
     CHECK(mip_profile_base_rate(b, 0x81) < 0);
     CHECK(mip_profile_reading_of(a, "protocol.acknowledge.code") == NULL);
     CHECK(mip_profile_reading_of(b, "measurements.accel.scaled_accel") == NULL); /* another unit, but no type */
-    CHECK(a->port_count == 2 && a->ports[0].id == 0x11 && a->ports[0].baud_rates[1] == 115200);
-    CHECK(is(a->ports[1].name, "USB") && a->ports[1].id == 0); /* it has none */
-    CHECK(is(a->ports[0].receives, "MIP, NMEA") && is(a->ports[1].sends, "MIP") && a->ports[1].baud_rate_count == 0);
-    CHECK(a->note_count == 1 && a->notes[0].rows == 3 && a->notes[0].columns == 2 && is(a->notes[0].cells[3], "pulse"));
 }
 
 static uint16_t number_of(const char *text) {

@@ -50,9 +50,6 @@ enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
     MIP_3DM_FACTORY_STREAMING_ACTION_ADD = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
-
 /**
  * Constellation in receiver settings. The values differ from those of enum mip_gnss_constellation,
  * which GNSS data uses.
@@ -73,9 +70,6 @@ enum mip_3dm_constellation_id MIP_ENUM_8 {
     /** GLONASS, satellites R1 to R32. */
     MIP_3DM_CONSTELLATION_ID_GLONASS = 6
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_constellation_id_name(uint8_t value);
 
 /**
  * Options of a constellation.
@@ -129,9 +123,6 @@ enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
     MIP_3DM_ASSISTED_FIX_OPTION_ENABLED = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
-
 /**
  * Source of the pulse per second.
  *
@@ -157,9 +148,6 @@ enum mip_3dm_pps_source MIP_ENUM_8 {
     MIP_3DM_PPS_SOURCE_GENERATED = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
-
 /**
  * The part of the event system that is queried.
  *
@@ -171,9 +159,6 @@ enum mip_3dm_event_support_query MIP_ENUM_8 {
     /** Supported types of actions. */
     MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
 
 /**
  * Capacity of a device for one trigger or action type.
@@ -239,9 +224,6 @@ enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
     MIP_3DM_RECEIVER_DYNAMICS_AIRBORNE_4G = 8
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
-
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
  * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
@@ -284,9 +266,6 @@ enum mip_3dm_mag_bandwidth MIP_ENUM_8 {
     MIP_3DM_MAG_BANDWIDTH_LOW = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_mag_bandwidth_name(uint8_t value);
-
 /**
  * A time counter of the sensor data.
  *
@@ -304,9 +283,6 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_INTERNAL_TICKS = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
-
 /**
  * Operating mode of the odometer input.
  *
@@ -318,9 +294,6 @@ enum mip_3dm_odometer_mode MIP_ENUM_8 {
     /** Quadrature encoder on two pins. */
     MIP_3DM_ODOMETER_MODE_QUADRATURE = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
 
 /**
  * A sensor whose range can be set.
@@ -339,9 +312,6 @@ enum mip_3dm_sensor_range_type MIP_ENUM_8 {
     /** The pressure sensor. Requires a pressure sensor. */
     MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE = 4
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_sensor_range_type_name(uint8_t value);
 
 /**
  * A range that a sensor supports.
@@ -367,9 +337,6 @@ enum mip_3dm_internal_sensor MIP_ENUM_8 {
     MIP_3DM_INTERNAL_SENSOR_GNSS = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_internal_sensor_name(uint8_t value);
-
 /**
  * Format of a data stream.
  *
@@ -381,9 +348,6 @@ enum mip_3dm_stream_format MIP_ENUM_8 {
     /** The sensor's own packets, each in a MIP field. */
     MIP_3DM_STREAM_FORMAT_WRAPPED_RAW = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_stream_format_name(uint8_t value);
 
 /**
  * Power state of an internal sensor.
@@ -401,9 +365,6 @@ enum mip_3dm_sensor_power_state MIP_ENUM_8 {
     MIP_3DM_SENSOR_POWER_STATE_OFF = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_sensor_power_state_name(uint8_t value);
-
 /**
  * Level of detail of a device status.
  *
@@ -415,9 +376,6 @@ enum mip_3dm_device_status_selector MIP_ENUM_8 {
     /** State, timer, and the counters of streams and port. */
     MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
 
 /**
  * A data stream of a device of the generations 3 to 5.
@@ -435,9 +393,6 @@ enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
     MIP_3DM_LEGACY_DATA_STREAM_FILTER = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
-
 /**
  * State of the system in the device status of the 3DM-GX4-45 and the 3DM-RQ1-45.
  *
@@ -451,9 +406,6 @@ enum mip_3dm_gx4_system_state MIP_ENUM_16 {
     /** The system is running. */
     MIP_3DM_GX4_SYSTEM_STATE_RUNNING = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
 
 /**
  * Poll IMU data: command (0x0C,0x01).
@@ -1390,11 +1342,11 @@ MIP_FIELD(mip_3dm_raw_rtcm_2_3_message, 0x20);
 
 /** Fills the structure, and returns it. */
 static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
-    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
+    struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data_count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
-    command->data_count = data__count;
+    command->data_count = data_count;
     mip_copy(command->data, sizeof(command->data), data_,
-             mip_counted(data__count, data_, sizeof(data_[0])));
+             mip_counted(data_count, data_, sizeof(data_[0])));
     return command;
 }
 

@@ -633,11 +633,11 @@ static inline mip_error mip_send_3dm_raw_rtcm_2_3_message(
  * - data_: Bytes of the RTCM stream.
  */
 static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message(struct mip_device *device,
-                                                                  uint8_t data__count,
+                                                                  uint8_t data_count,
                                                                   const uint8_t data_[]) {
     struct mip_3dm_raw_rtcm_2_3_message command;
     return mip_device_call(device, &mip_3dm_raw_rtcm_2_3_message_command,
-                           mip_3dm_raw_rtcm_2_3_message_make(&command, data__count, data_), NULL,
+                           mip_3dm_raw_rtcm_2_3_message_make(&command, data_count, data_), NULL,
                            NULL);
 }
 

@@ -37,9 +37,6 @@ enum mip_aiding_frame_format MIP_ENUM_8 {
     MIP_AIDING_FRAME_FORMAT_QUATERNION = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
-
 /**
  * Replies of the device to aiding measurements.
  *
@@ -54,9 +51,6 @@ enum mip_aiding_echo_mode MIP_ENUM_8 {
     MIP_AIDING_ECHO_MODE_RESPONSE = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
-
 /** Clock that the time of a measurement refers to. */
 enum mip_aiding_timebase MIP_ENUM_8 {
     /** Internal reference clock of the device. */
@@ -66,9 +60,6 @@ enum mip_aiding_timebase MIP_ENUM_8 {
     /** Latency relative to the arrival of the command. */
     MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_aiding_timebase_name(uint8_t value);
 
 /** Time at which a measurement was taken. */
 struct mip_aiding_measurement_time {

@@ -54,9 +54,6 @@ enum mip_base_gps_time_field MIP_ENUM_8 {
     MIP_BASE_GPS_TIME_FIELD_TOW = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
-
 /**
  * Ping: command (0x01,0x01).
  *

@@ -106,7 +106,8 @@ enum mip_outcome {
     MIP_CLOSED,
     /** It was sent, and its reply has not arrived. */
     MIP_WAITING,
-    /** It was not sent, because the call was made in a handler of the same device. */
+    /** It was not sent, because the call was made in a handler of the same device, or would have to
+     * wait, and the port has no `read`. */
     MIP_BUSY,
     /** The stream was not changed, because the device does not support one of the rates. See
      * mip_device_stream. */

@@ -42,9 +42,6 @@ enum mip_filter_dynamics_mode MIP_ENUM_8 {
     MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_dynamics_mode_name(uint8_t value);
-
 /**
  * States that the filter estimates.
  *
@@ -79,9 +76,6 @@ enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_2 = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
-
 /** The north that a heading refers to. */
 enum mip_filter_heading_type MIP_ENUM_8 {
     /** True north. */
@@ -89,9 +83,6 @@ enum mip_filter_heading_type MIP_ENUM_8 {
     /** Magnetic north. */
     MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 
 /**
  * Source of the heading updates that aid the filter.
@@ -119,9 +110,6 @@ enum mip_filter_heading_update_source MIP_ENUM_8 {
     MIP_FILTER_HEADING_UPDATE_SOURCE_ALL = 7
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_heading_update_source_name(uint8_t value);
-
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
 /** Bit 0. The present roll becomes zero. */
@@ -148,9 +136,6 @@ enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
-
 /** Weighting of measurements whose magnitude is not as expected. */
 enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
@@ -160,9 +145,6 @@ enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** The filter determines the weights; the limits are ignored. 3DM-GX5 and later. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value);
 
 /**
  * Source that aids the altitude.
@@ -176,9 +158,6 @@ enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
     MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
-
 /** Source that aids pitch and roll. */
 enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     /** No aiding. */
@@ -186,9 +165,6 @@ enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     /** The measured gravity vector. */
     MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_GRAVITY_VECTOR = 1
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 
 /**
  * A source of aiding measurements.
@@ -215,9 +191,6 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
-
 /**
  * Assumption of the filter about the acceleration.
  *
@@ -229,9 +202,6 @@ enum mip_filter_accel_constraint MIP_ENUM_8 {
     /** The filter assumes no acceleration. */
     MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL = 1
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
 
 /**
  * Assumption of the filter about the velocity.
@@ -247,9 +217,6 @@ enum mip_filter_velocity_constraint MIP_ENUM_8 {
     MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
-
 /**
  * Assumption of the filter about the angular rate.
  *
@@ -262,9 +229,6 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
     MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
-
 /** Initial conditions that your program provides instead of the device. */
 enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /** Position, velocity and attitude are automatic. */
@@ -276,9 +240,6 @@ enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /** Your program provides position, velocity and attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
 
 /** Methods that the device may use to determine its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
@@ -299,9 +260,6 @@ enum mip_filter_reference_frame MIP_ENUM_8 {
     MIP_FILTER_REFERENCE_FRAME_LLH = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
-
 /** Strength of the adaptation to inconsistent measurements. */
 enum mip_filter_adaptive_level MIP_ENUM_8 {
     /** No adaptation. */
@@ -314,9 +272,6 @@ enum mip_filter_adaptive_level MIP_ENUM_8 {
     MIP_FILTER_ADAPTIVE_LEVEL_AGGRESSIVE = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
-
 /** Source of the reference point for relative positions. */
 enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
@@ -325,17 +280,11 @@ enum mip_filter_relative_position_source MIP_ENUM_8 {
     MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
-
 /** Point that a lever arm moves. */
 enum mip_filter_reference_point MIP_ENUM_8 {
     /** The origin of the vehicle. */
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_reference_point_name(uint8_t value);
 
 /**
  * Reset navigation filter: command (0x0D,0x01).

@@ -90,9 +90,6 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
     MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
-
 /**
  * Kind of aiding measurement. Values from 0x20 are the descriptors of the commands of set `aiding`
  * that send the measurement.
@@ -130,9 +127,6 @@ enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
-
 /** Use of an aiding measurement by the filter. */
 typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 0. The measurement is enabled. */
@@ -157,9 +151,6 @@ enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     /** Solution with fixed ambiguities. */
     MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
 
 /** Inputs available to the dual-antenna heading solution. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
@@ -187,9 +178,6 @@ enum mip_filter_data_gx5_filter_state MIP_ENUM_16 {
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_gx5_filter_state_name(uint16_t value);
-
 /**
  * Mode of the filter of a 3DM-CV7.
  *
@@ -207,9 +195,6 @@ enum mip_filter_data_cv7_filter_state MIP_ENUM_16 {
     MIP_FILTER_DATA_CV7_FILTER_STATE_FULL_NAV = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
-
 /** Motion for which the filter of a 5-series device is configured. */
 enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
     /** Carried by hand. */
@@ -225,17 +210,11 @@ enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
     MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE_HIGH_G = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value);
-
 /** Dynamics mode of a 7-series device; there is only one. */
 enum mip_filter_data_cv7_dynamics_mode MIP_ENUM_16 {
     /** The only mode. */
     MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT = 1
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
 
 /**
  * Problems of the filter of a 5-series device; their meaning depends on the state of the filter.
@@ -367,9 +346,6 @@ enum mip_filter_data_filter_condition MIP_ENUM_8 {
     /** Estimates are unstable or recovering. */
     MIP_FILTER_DATA_FILTER_CONDITION_UNSTABLE = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
 
 /**
  * Condition and warnings of the filter of a 3DM-CV7.

@@ -94,9 +94,6 @@ enum mip_gnss_receiver_id MIP_ENUM_8 {
     MIP_GNSS_RECEIVER_ID_USER_RECEIVER_2 = 5
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
-
 /**
  * Extent of a receiver restart.
  *
@@ -120,9 +117,6 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
     MIP_GNSS_RECEIVER_RESET_TYPE_HOT = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
-
 /**
  * Strategy for fixing the RTK carrier phase ambiguities to whole numbers. Uncertain: The
  * descriptions of `conservative` and `moderate` are inferred from their names.
@@ -140,9 +134,6 @@ enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
     MIP_GNSS_AMBIGUITY_FIX_MODE_AGGRESSIVE = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
-
 /** Channel that delivers SPARTN corrections. */
 enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
@@ -152,9 +143,6 @@ enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** By satellite in the L band. */
     MIP_GNSS_SPARTN_CONNECTION_L_BAND = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
 
 /**
  * Receiver info: command (0x0E,0x01).

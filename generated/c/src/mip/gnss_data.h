@@ -208,9 +208,6 @@ enum mip_gnss_data_receiver_state MIP_ENUM_8 {
     MIP_GNSS_DATA_RECEIVER_STATE_UNKNOWN = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_receiver_state_name(uint8_t value);
-
 /** Electrical condition of a GNSS antenna. */
 enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     /** Being initialized. */
@@ -225,9 +222,6 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     MIP_GNSS_DATA_ANTENNA_STATE_UNKNOWN = 5
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
-
 /** State of the antenna's power supply. */
 enum mip_gnss_data_antenna_power MIP_ENUM_8 {
     /** The value `off`. */
@@ -237,9 +231,6 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_ANTENNA_POWER_UNKNOWN = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
 
 /** Validity flags for the hardware status. */
 typedef uint16_t mip_gnss_data_hardware_status_flags;
@@ -310,9 +301,6 @@ enum mip_gnss_data_sbas_system MIP_ENUM_8 {
     MIP_GNSS_DATA_SBAS_SYSTEM_GAGAN = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_sbas_system_name(uint8_t value);
-
 /** Services of an SBAS system. */
 typedef uint8_t mip_gnss_data_sbas_status;
 /** Bit 0. Ranging is available. */
@@ -364,9 +352,6 @@ enum mip_gnss_data_rf_band MIP_ENUM_8 {
     MIP_GNSS_DATA_RF_BAND_L5 = 5
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
-
 /** Severity of jamming. */
 enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     /** Not known. */
@@ -379,9 +364,6 @@ enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     MIP_GNSS_DATA_JAMMING_STATE_SIGNIFICANT = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
-
 /** Severity of spoofing. */
 enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     /** Not known. */
@@ -393,9 +375,6 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     /** Heavily spoofed. */
     MIP_GNSS_DATA_SPOOFING_STATE_SIGNIFICANT = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
 
 /** Validity flags for the detection. */
 typedef uint16_t mip_gnss_data_rf_error_detection_flags;
@@ -419,9 +398,6 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
     /** The ambiguities are fixed to whole numbers of cycles. */
     MIP_GNSS_DATA_HEADING_FIX_TYPE_FIXED = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
 
 /** Validity flags for the heading. */
 typedef uint16_t mip_gnss_data_heading_flags;
@@ -468,9 +444,6 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     /** The value `fully_locked`. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_FULLY_LOCKED = 5
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
 
 /** Validity flags for the observation. */
 typedef uint16_t mip_gnss_data_raw_flags;
@@ -610,9 +583,6 @@ enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
     /** The value `glonass_m`. */
     MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS_M = 1
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
 
 /** Validity of the ephemeris. */
 typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;

@@ -50,7 +50,6 @@
 #include "mip/shared.h"
 #include "mip/shared_inline.h"
 #include "mip/shared_valid.h"
-#include "mip/stream.h"
 #include "mip/system.h"
 #include "mip/system_commands.h"
 #include "mip/system_data.h"

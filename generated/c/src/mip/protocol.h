@@ -31,8 +31,8 @@ enum mip_function_selector MIP_ENUM_8 {
     MIP_FUNCTION_SELECTOR_APPLY = 6
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_function_selector_name(uint8_t value);
+/** Returns the name of an acknowledge code, or NULL. */
+MIP_API const char *mip_ack_code_name(uint8_t value);
 
 #ifndef MIP_BARRIER_SET
 /** The descriptor set of the barrier command; 0 if the specification names none.

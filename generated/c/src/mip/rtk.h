@@ -38,9 +38,6 @@ enum mip_rtk_connected_device MIP_ENUM_8 {
     MIP_RTK_CONNECTED_DEVICE_GQ7 = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_rtk_connected_device_name(uint8_t value);
-
 /**
  * State of the correction service.
  *
@@ -64,9 +61,6 @@ enum mip_rtk_storage_medium MIP_ENUM_8 {
     MIP_RTK_STORAGE_MEDIUM_SD = 1
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_rtk_storage_medium_name(uint8_t value);
-
 /**
  * Pattern of an LED.
  *
@@ -80,9 +74,6 @@ enum mip_rtk_led_action MIP_ENUM_8 {
     /** Pulsating. */
     MIP_RTK_LED_ACTION_PULSATE = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_rtk_led_action_name(uint8_t value);
 
 /**
  * Get status flags: command (0x0F,0x01).

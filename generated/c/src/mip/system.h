@@ -51,9 +51,6 @@ enum mip_system_protocol_mode MIP_ENUM_8 {
     MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
-
 /**
  * Interface control: command (0x7F,0x02).
  *

@@ -439,9 +439,6 @@ enum mip_event_trigger_type MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_TYPE_COMBINATION = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_event_trigger_type_name(uint8_t value);
-
 /**
  * Kind of an event action.
  *
@@ -456,9 +453,6 @@ enum mip_event_action_type MIP_ENUM_8 {
     /** Sends a data packet. */
     MIP_EVENT_ACTION_TYPE_MESSAGE = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_event_action_type_name(uint8_t value);
 
 /**
  * Operating mode of an event trigger.
@@ -476,9 +470,6 @@ enum mip_event_trigger_mode MIP_ENUM_8 {
     /** The trigger is active for one event cycle and then returns to its previous mode. */
     MIP_EVENT_TRIGGER_MODE_TEST_PULSE = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_event_trigger_mode_name(uint8_t value);
 
 /**
  * State of an event trigger.
@@ -514,9 +505,6 @@ enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_GPIO_MODE_EDGE = 4
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
-
 /**
  * Comparison of a threshold trigger.
  *
@@ -528,9 +516,6 @@ enum mip_event_threshold_type MIP_ENUM_8 {
     /** The remainder of the value divided by an interval is at most a threshold. */
     MIP_EVENT_THRESHOLD_TYPE_INTERVAL = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_event_threshold_type_name(uint8_t value);
 
 /**
  * Control of a GPIO pin by an action.
@@ -552,9 +537,6 @@ enum mip_event_action_gpio_mode MIP_ENUM_8 {
     /** The pin is inverted each time the trigger activates. */
     MIP_EVENT_ACTION_GPIO_MODE_TOGGLE = 7
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_event_action_gpio_mode_name(uint8_t value);
 
 /**
  * A trigger on a GPIO pin.
@@ -724,9 +706,6 @@ enum mip_gnss_constellation MIP_ENUM_8 {
     MIP_GNSS_CONSTELLATION_SBAS = 5
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_constellation_name(uint8_t value);
-
 /**
  * Type of a GNSS position fix.
  *
@@ -750,9 +729,6 @@ enum mip_gnss_fix_type MIP_ENUM_8 {
     /** The position uses differential corrections. */
     MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL = 7
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_fix_type_name(uint8_t value);
 
 /**
  * Signal of a satellite.
@@ -894,9 +870,6 @@ enum mip_gnss_signal MIP_ENUM_8 {
     MIP_GNSS_SIGNAL_BEIDOU_B2A = 169
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gnss_signal_name(uint8_t value);
-
 /**
  * Use of a GPIO pin.
  *
@@ -918,17 +891,11 @@ enum mip_gpio_feature MIP_ENUM_8 {
     MIP_GPIO_FEATURE_UART = 5
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_feature_name(uint8_t value);
-
 /** Behavior of a pin whose feature is unused. */
 enum mip_gpio_unused_behavior MIP_ENUM_8 {
     /** No other value is defined. */
     MIP_GPIO_UNUSED_BEHAVIOR_UNUSED = 0
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_unused_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is gpio. */
 enum mip_gpio_behavior MIP_ENUM_8 {
@@ -940,9 +907,6 @@ enum mip_gpio_behavior MIP_ENUM_8 {
     MIP_GPIO_BEHAVIOR_OUTPUT_HIGH = 3
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_behavior_name(uint8_t value);
-
 /** Behavior of a pin whose feature is pps. */
 enum mip_gpio_pps_behavior MIP_ENUM_8 {
     /** The pin receives the pulse; the PPS source must be gpio. At most one pin. */
@@ -951,9 +915,6 @@ enum mip_gpio_pps_behavior MIP_ENUM_8 {
     MIP_GPIO_PPS_BEHAVIOR_OUTPUT = 2
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_pps_behavior_name(uint8_t value);
-
 /** Behavior of a pin whose feature is encoder. */
 enum mip_gpio_encoder_behavior MIP_ENUM_8 {
     /** Quadrature input A. At most one pin; the last one configured takes precedence. */
@@ -961,9 +922,6 @@ enum mip_gpio_encoder_behavior MIP_ENUM_8 {
     /** Quadrature input B. At most one pin; the last one configured takes precedence. */
     MIP_GPIO_ENCODER_BEHAVIOR_B = 2
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_encoder_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is timestamp. */
 enum mip_gpio_timestamp_behavior MIP_ENUM_8 {
@@ -974,9 +932,6 @@ enum mip_gpio_timestamp_behavior MIP_ENUM_8 {
     /** Both edges get timestamps. */
     MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER = 3
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_timestamp_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is uart. */
 enum mip_gpio_uart_behavior MIP_ENUM_8 {
@@ -989,9 +944,6 @@ enum mip_gpio_uart_behavior MIP_ENUM_8 {
     /** UART 3 receives. */
     MIP_GPIO_UART_BEHAVIOR_PORT_3_RX = 50
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_gpio_uart_behavior_name(uint8_t value);
 
 /**
  * Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the feature and
@@ -1047,9 +999,6 @@ enum mip_nmea_message_id MIP_ENUM_8 {
     MIP_NMEA_MESSAGE_ID_MSRR = 130
 };
 
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_nmea_message_id_name(uint8_t value);
-
 /**
  * The first letters of an NMEA-0183 sentence, which identify its talker.
  *
@@ -1067,9 +1016,6 @@ enum mip_nmea_talker_id MIP_ENUM_8 {
     /** Talker GL: GLONASS only. */
     MIP_NMEA_TALKER_ID_GLONASS = 4
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_nmea_talker_id_name(uint8_t value);
 
 /**
  * An NMEA-0183 sentence with its talker, its data source and how often it is sent.
@@ -1109,9 +1055,6 @@ enum mip_comm_interface MIP_ENUM_8 {
     /** Second USB virtual serial port; on GNSS/INS models, intended for NMEA and RTCM. */
     MIP_COMM_INTERFACE_USB_2 = 34
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_comm_interface_name(uint8_t value);
 
 /**
  * State of the modem and of the corrections. Other models send mip_rtk_status_flags_legacy.
@@ -1432,9 +1375,6 @@ enum mip_ack_code MIP_ENUM_8 {
     /** The device does not know the descriptor set. */
     MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET = 6
 };
-
-/** Returns the name of a value, or NULL. */
-MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** A field of a message format and how often it is sent. */
 struct mip_descriptor_rate {

@@ -34,7 +34,7 @@ FOLDER = "src/mip/"
 FOLDERS = ("core", "cpp", "extra", "sets")
 #: What users can leave out, with the examples that need it.
 PARTS = {
-    "cpp": rf"{FOLDER}cpp/|.*\.[hc]pp$|examples/arduino_cpp/|Doxyfile\.cpp|docs/cpp\.md",
+    "cpp": rf"{FOLDER}cpp/|.*\.[hc]pp$|docs/cpp\.md",
     "extra": rf"{FOLDER}extra/|examples/log\.",
 }
 #: Example programs for several kinds of systems. Arduino's IDE requires each in a folder with its name.
@@ -42,22 +42,20 @@ EXAMPLES = (
     "stream.c",
     "bare_metal.c",
     "freertos.c",
+    "application.c",
     "zephyr.c",
     "esp_idf.c",
     "stm32.c",
-    "node.cpp",
-    "autopilot.cpp",
     "log.cpp",
     "log.c",
     "arduino/arduino.ino",
-    "arduino_cpp/arduino_cpp.ino",
 )
 #: Pages beside the README.
 PAGES = ("packets", "commands", "cpp", "threads", "building", "measurements")
 #: Files for build systems and package managers.
 MANIFESTS = (
-    *("meson.build", "library.json", "library.properties", "idf_component.yml", "conanfile.py"),
-    *("Doxyfile", "Doxyfile.cpp", "cmake/sources.cmake", "cmake/mip.pc.in", "vcpkg/vcpkg.json", "zephyr/Kconfig"),
+    *("library.json", "library.properties", "idf_component.yml"),
+    *("Doxyfile", "cmake/sources.cmake", "cmake/mip.pc.in", "zephyr/Kconfig"),
 )
 
 
@@ -77,7 +75,6 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {name: model.program(f"{name}.c").rstrip() for name in in_c}
     shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream", "cpp_client", "cpp_change")}
     shown |= {"vendor_sdk": model.program("vendor_sdk.md").rstrip(), "bench": model.program("bench_c.md").rstrip()}
-    shown["by_source"] = model.program("bench_c_sources.md").rstrip()
     shown["bench_peer"] = model.program("bench_c_peer.md").rstrip()
     session = calls.session_calls(model)
     shown["first"] = model.program("stream.c").partition("*/\n")[2].rstrip() if session else ""
@@ -190,5 +187,5 @@ TARGET = Target(
     rename=package.everywhere,
     grammar=GRAMMAR,
     formatter=formatting.CLANG_FORMAT,
-    conformance=("parse", "decode", "encode", "client", "live"),
+    conformance=("parse", "decode", "encode", "client"),
 )

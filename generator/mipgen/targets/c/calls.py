@@ -14,7 +14,7 @@ from mipgen.lower.memory import stored
 from .comments import Comments
 from .direct import at_offset, put_number, unsigned
 from .members import CFunction, Constructor, argument, capacity, constructors, selector, takes_enum
-from .names import argument_name, constant, field_name, member, module, short, type_name
+from .names import argument_name, constant, count_argument, field_name, member, module, short, type_name
 
 
 def _declared(response: m.Field | None) -> list[str]:
@@ -323,7 +323,7 @@ def _loop(p: m.Parameter, at: int, value: str) -> list[str]:
     parts = p.item.struct.parameters if p.item.struct else (p.item,)
     if not all(q.kind in ("scalar", "counter") and q.reserved is None for q in parts):
         return []
-    count = argument_name(p.counter) if p.counter else str(p.capacity)
+    count = count_argument(p) if p.counter else str(p.capacity)
     checked = [f"(void)mip_counted({count}, {value}, sizeof({value}[0]));"] if p.counter else []
     lines = [*checked, f"for (size_t i = 0; i < {count}{f' && i < {capacity(p)}' if p.counter else ''}; i++) {{"]
     for q in parts:
@@ -336,7 +336,7 @@ def _loop(p: m.Parameter, at: int, value: str) -> list[str]:
 def _passed(p: m.Parameter) -> list[str]:
     """Returns the names of the arguments for a parameter."""
     name = argument_name(p.name)
-    return [f"{name}_count", name] if p.fills else [name]
+    return [count_argument(p), name] if p.fills else [name]
 
 
 def _literal(p: m.Parameter, value: int) -> str:

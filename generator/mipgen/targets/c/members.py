@@ -14,6 +14,7 @@ from .names import (
     argument_name,
     c_type,
     constant,
+    count_argument,
     field_name,
     is_enum,
     is_struct,
@@ -177,7 +178,7 @@ def _assignment(p: m.Parameter) -> str:
         case "array" if p.count is not None:
             return f"memcpy({at}, {name}, sizeof({at}));"
         case "text" | "array":
-            count = argument_name(p.counter) if p.counter else f"{name}_count"
+            count = count_argument(p)
             counted = "" if p.counter else f"{at}_count = {count};\n"
             room = f"sizeof({at}){' - 1' if p.kind == 'text' else ''}"
             return f"{counted}mip_copy({at}, {room}, {name}, mip_counted({count}, {name}, sizeof({name}[0])));"
@@ -203,7 +204,7 @@ def argument(p: m.Parameter, f: m.Field) -> str:
     if p.element is None:
         return f"const union {union_name(p, f)} *{name}"
     element = c_type(p.element)
-    count = f"uint8_t {name}_count, " if p.fills else ""
+    count = f"uint8_t {count_argument(p)}, " if p.fills else ""
     if p.kind == "text":
         return f"{count}const char *{name}"
     if p.kind == "array":

@@ -27,6 +27,11 @@ def argument_name(name: str) -> str:
     return _argument(member(name))
 
 
+def count_argument(p: m.Parameter) -> str:
+    """Returns the name of the argument that counts the elements of an array."""
+    return argument_name(p.counter) if p.counter else f"{argument_name(p.name).rstrip('_')}_count"
+
+
 def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> str:
     """Returns the name of a thing, or the shorter one that the specification defines for C."""
     return thing.short or thing.name

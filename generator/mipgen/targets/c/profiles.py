@@ -54,12 +54,8 @@ def _tables(d: m.Device, model: m.Model) -> Iterator[Table]:
     yield _structures("firmware", f"{name}_firmware", firmware, "fields of some firmware")
     rates = [(hexadecimal(r.set.number), decimal(r.hertz)) for r in d.base_rates]
     yield _structures("rate", f"{name}_rates", rates, "base rates")
-    yield from _ports(d)
-    yield _structures("limit", f"{name}_limits", map(_limit, d.limits), "limits")
-    yield from _notes(d)
     readings = [(string(v.path), string(v.variant.type.full_name)) for v in d.variants if v.variant.type]
     yield _structures("reading", f"{name}_readings", readings, "readings")
-    yield _numbers("uint8_t", f"{name}_ack_codes", d.ack_codes, "acknowledge codes")
 
 
 def _table(of: str, name: str, items: Iterable[str], title: str = "") -> Table:
@@ -71,11 +67,6 @@ def _structures(kind: str, name: str, rows: Iterable[Sequence[str]], title: str 
     return _table(f"struct mip_profile_{kind}", name, (f"{{{', '.join(row)}}}" for row in rows), title)
 
 
-def _numbers(of: str, name: str, numbers: Sequence[int], title: str = "") -> Table:
-    """Without a comma at its end, an array is laid out in one line."""
-    return Table(of, name, len(numbers), [", ".join(map(str, numbers))], title)
-
-
 def _field(s: m.Support) -> tuple[str, str]:
     return hexadecimal(s.set), hexadecimal(s.field.descriptor)
 
@@ -83,32 +74,3 @@ def _field(s: m.Support) -> tuple[str, str]:
 def _fields(d: m.Device, supports: Iterable[m.Support]) -> Iterator[Sequence[str]]:
     for s in supports:
         yield *_field(s), string(m.letters(s.functions)), f"&{d.name}_evidence[{d.evidence.index(s.evidence)}]"
-
-
-def _ports(d: m.Device) -> Iterator[Table]:
-    rows, rated = [], 0
-    for p in d.ports:
-        rates, rated = f"{d.name}_baud_rates_{rated + 1}", rated + bool(p.baud_rates)
-        yield _numbers("uint32_t", rates, p.baud_rates)
-        protocols = (string(", ".join(words)) for words in (p.receives, p.sends))
-        rates = rates if p.baud_rates else "NULL"
-        rows.append((string(p.name), hexadecimal(p.id or 0), str(len(p.baud_rates)), rates, *protocols))
-    yield _structures("port", f"{d.name}_ports", rows, "ports")
-
-
-def _limit(x: m.Limit) -> Sequence[str]:
-    unit, firmware = x.unit.symbol if x.unit else "", x.firmware or ""
-    return string(x.name), decimal(x.value), string(unit), string(x.description), string(firmware)
-
-
-def _notes(d: m.Device) -> Iterator[Table]:
-    rows = []
-    for n in d.notes:
-        cells = f"{d.name}_{n.name}_cells"
-        lines = [
-            f"{', '.join(map(string, row))}, /* {f'row {i}' if i else 'heading'} */" for i, row in enumerate(n.rows)
-        ]
-        yield Table("char *const", cells, len(lines), lines)
-        size = (str(len(n.rows)), str(len(n.rows[0]) if n.rows else 0))
-        rows.append((*map(string, (n.name, n.title, n.description)), cells if n.rows else "NULL", *size))
-    yield _structures("note", f"{d.name}_notes", rows, "notes")

@@ -18,8 +18,6 @@
 #define MIP_CHECKSUM_WORDS 1
 /** Sixteen bytes at a time. */
 #define MIP_CHECKSUM_SSE2 2
-/** Sixteen bytes at a time. */
-#define MIP_CHECKSUM_NEON 3
 
 /** @def MIP_CHECKSUM
  * The method of computing checksums, one of these. */
@@ -29,8 +27,6 @@
 #define MIP_CHECKSUM MIP_CHECKSUM_PLAIN
 #elif defined(__SSE2__) || defined(_M_X64)
 #define MIP_CHECKSUM MIP_CHECKSUM_SSE2
-#elif defined(__ARM_NEON)
-#define MIP_CHECKSUM MIP_CHECKSUM_NEON
 #else
 #define MIP_CHECKSUM MIP_CHECKSUM_WORDS
 #endif
@@ -110,7 +106,9 @@ static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
 
 #endif
 
-#if MIP_CHECKSUM == MIP_CHECKSUM_SSE2 || MIP_CHECKSUM == MIP_CHECKSUM_NEON
+#if MIP_CHECKSUM == MIP_CHECKSUM_SSE2
+
+#include <emmintrin.h>
 
 /** Returns a mask for the last block, sixteen lanes of eight bits: it zeroes the bytes that earlier
  * blocks have summed. */
@@ -121,12 +119,6 @@ static inline const uint8_t *mask(size_t rest) {
                                       0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
     return bytes + rest;
 }
-
-#endif
-
-#if MIP_CHECKSUM == MIP_CHECKSUM_SSE2
-
-#include <emmintrin.h>
 
 /** Sixteen bytes. */
 static inline __m128i block(const uint8_t *bytes) {
@@ -161,40 +153,6 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(2, 3, 0, 1)));
     const uint32_t result = (uint32_t)_mm_cvtsi128_si32(both);
     const struct mip_sums sums = {result >> 24, result};
-    return sums;
-}
-
-#elif MIP_CHECKSUM == MIP_CHECKSUM_NEON
-
-#include <arm_neon.h>
-
-/** The sum of all lanes. */
-static inline uint32_t total(uint16x8_t v) {
-    const uint32x4_t sums = vpaddlq_u16(v);
-    return vgetq_lane_u32(sums, 0) + vgetq_lane_u32(sums, 1) + vgetq_lane_u32(sums, 2) +
-           vgetq_lane_u32(sums, 3);
-}
-
-/** Sixteen bytes at a time. */
-static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
-    static const uint8_t weights[16] = {16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1};
-    if (size < 16) {
-        return plain(bytes, size);
-    }
-    const uint8_t *last = bytes + (size - 16);
-    const size_t rest = size % 16;
-    uint8x16_t done = vdupq_n_u8(0); /* sums of bytes by their position in a block */
-    uint8x16_t before = done;        /* the sum of the sums before each block */
-    do {
-        before = vaddq_u8(before, done);
-        done = vaddq_u8(done, vld1q_u8(bytes));
-        bytes += 16;
-    } while (bytes <= last);
-    const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(mask(rest)), vld1q_u8(last)));
-    const uint8x16_t inside = vmulq_u8(a, vld1q_u8(weights));
-    const uint8x16_t behind = vmulq_u8(done, vdupq_n_u8((uint8_t)rest));
-    const uint8x16_t b = vaddq_u8(vaddq_u8(inside, behind), vshlq_n_u8(before, 4));
-    const struct mip_sums sums = {total(vpaddlq_u8(a)), total(vpaddlq_u8(b))};
     return sums;
 }
 

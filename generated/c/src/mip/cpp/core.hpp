@@ -590,7 +590,7 @@ template <class... Handlers> bool dispatch(const field &from, Handlers &&...hand
 
 /** Dispatches each field of a packet. */
 template <class... Handlers> void dispatch(const packet &from, Handlers &&...handlers) {
-    for (const field &each : from) {
+    for (const field each : from) {
         dispatch(each, handlers...);
     }
 }

@@ -21,9 +21,6 @@ static const char labels_function_selector[] = "write\0read\0save\0load\0default
 static const uint8_t numbers_function_selector[] = {1, 2, 3, 4, 5, 6};
 const struct mip_names mip_names_function_selector = {
     name_function_selector, labels_function_selector, numbers_function_selector, NULL, 6, 1};
-const char *mip_function_selector_name(uint8_t value) {
-    return mip_value_name(&mip_names_function_selector, value);
-}
 
 static const char name_gx5_built_in_test[] = "gx5_built_in_test";
 static const char labels_gx5_built_in_test[] =
@@ -141,27 +138,18 @@ static const char labels_event_trigger_type[] = "none\0gpio\0threshold\0combinat
 static const uint8_t numbers_event_trigger_type[] = {0, 1, 2, 3};
 const struct mip_names mip_names_event_trigger_type = {
     name_event_trigger_type, labels_event_trigger_type, numbers_event_trigger_type, NULL, 4, 1};
-const char *mip_event_trigger_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_event_trigger_type, value);
-}
 
 static const char name_event_action_type[] = "event_action_type";
 static const char labels_event_action_type[] = "none\0gpio\0message";
 static const uint8_t numbers_event_action_type[] = {0, 1, 2};
 const struct mip_names mip_names_event_action_type = {
     name_event_action_type, labels_event_action_type, numbers_event_action_type, NULL, 3, 1};
-const char *mip_event_action_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_event_action_type, value);
-}
 
 static const char name_event_trigger_mode[] = "event_trigger_mode";
 static const char labels_event_trigger_mode[] = "disabled\0enabled\0test\0test_pulse";
 static const uint8_t numbers_event_trigger_mode[] = {0, 1, 2, 3};
 const struct mip_names mip_names_event_trigger_mode = {
     name_event_trigger_mode, labels_event_trigger_mode, numbers_event_trigger_mode, NULL, 4, 1};
-const char *mip_event_trigger_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_event_trigger_mode, value);
-}
 
 static const char name_event_trigger_status[] = "event_trigger_status";
 static const char labels_event_trigger_status[] = "active\0enabled\0test";
@@ -182,9 +170,6 @@ const struct mip_names mip_names_event_trigger_gpio_mode = {name_event_trigger_g
                                                             NULL,
                                                             4,
                                                             1};
-const char *mip_event_trigger_gpio_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_event_trigger_gpio_mode, value);
-}
 
 static const char name_event_threshold_type[] = "event_threshold_type";
 static const char labels_event_threshold_type[] = "window\0interval";
@@ -195,9 +180,6 @@ const struct mip_names mip_names_event_threshold_type = {name_event_threshold_ty
                                                          NULL,
                                                          2,
                                                          1};
-const char *mip_event_threshold_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_event_threshold_type, value);
-}
 
 static const char name_event_action_gpio_mode[] = "event_action_gpio_mode";
 static const char labels_event_action_gpio_mode[] =
@@ -209,18 +191,12 @@ const struct mip_names mip_names_event_action_gpio_mode = {name_event_action_gpi
                                                            NULL,
                                                            6,
                                                            1};
-const char *mip_event_action_gpio_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_event_action_gpio_mode, value);
-}
 
 static const char name_gnss_constellation[] = "gnss_constellation";
 static const char labels_gnss_constellation[] = "unknown\0gps\0glonass\0galileo\0beidou\0sbas";
 static const uint8_t numbers_gnss_constellation[] = {0, 1, 2, 3, 4, 5};
 const struct mip_names mip_names_gnss_constellation = {
     name_gnss_constellation, labels_gnss_constellation, numbers_gnss_constellation, NULL, 6, 1};
-const char *mip_gnss_constellation_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_constellation, value);
-}
 
 static const char name_gnss_fix_type[] = "gnss_fix_type";
 static const char labels_gnss_fix_type[] =
@@ -229,9 +205,6 @@ static const char labels_gnss_fix_type[] =
 static const uint8_t numbers_gnss_fix_type[] = {0, 1, 2, 3, 4, 5, 6, 7};
 const struct mip_names mip_names_gnss_fix_type = {
     name_gnss_fix_type, labels_gnss_fix_type, numbers_gnss_fix_type, NULL, 8, 1};
-const char *mip_gnss_fix_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_fix_type, value);
-}
 
 static const char name_gnss_signal[] = "gnss_signal";
 static const char labels_gnss_signal[] =
@@ -251,18 +224,12 @@ static const uint8_t numbers_gnss_signal[] = {
     136, 137, 138, 139, 140, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169};
 const struct mip_names mip_names_gnss_signal = {
     name_gnss_signal, labels_gnss_signal, numbers_gnss_signal, NULL, 66, 1};
-const char *mip_gnss_signal_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_signal, value);
-}
 
 static const char name_gpio_feature[] = "gpio_feature";
 static const char labels_gpio_feature[] = "unused\0gpio\0pps\0encoder\0timestamp\0uart";
 static const uint8_t numbers_gpio_feature[] = {0, 1, 2, 3, 4, 5};
 const struct mip_names mip_names_gpio_feature = {
     name_gpio_feature, labels_gpio_feature, numbers_gpio_feature, NULL, 6, 1};
-const char *mip_gpio_feature_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_feature, value);
-}
 
 static const char name_gpio_unused_behavior[] = "gpio_unused_behavior";
 static const char labels_gpio_unused_behavior[] = "unused";
@@ -273,27 +240,18 @@ const struct mip_names mip_names_gpio_unused_behavior = {name_gpio_unused_behavi
                                                          NULL,
                                                          1,
                                                          1};
-const char *mip_gpio_unused_behavior_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_unused_behavior, value);
-}
 
 static const char name_gpio_behavior[] = "gpio_behavior";
 static const char labels_gpio_behavior[] = "input\0output_low\0output_high";
 static const uint8_t numbers_gpio_behavior[] = {1, 2, 3};
 const struct mip_names mip_names_gpio_behavior = {
     name_gpio_behavior, labels_gpio_behavior, numbers_gpio_behavior, NULL, 3, 1};
-const char *mip_gpio_behavior_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_behavior, value);
-}
 
 static const char name_gpio_pps_behavior[] = "gpio_pps_behavior";
 static const char labels_gpio_pps_behavior[] = "input\0output";
 static const uint8_t numbers_gpio_pps_behavior[] = {1, 2};
 const struct mip_names mip_names_gpio_pps_behavior = {
     name_gpio_pps_behavior, labels_gpio_pps_behavior, numbers_gpio_pps_behavior, NULL, 2, 1};
-const char *mip_gpio_pps_behavior_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_pps_behavior, value);
-}
 
 static const char name_gpio_encoder_behavior[] = "gpio_encoder_behavior";
 static const char labels_gpio_encoder_behavior[] = "a\0b";
@@ -304,9 +262,6 @@ const struct mip_names mip_names_gpio_encoder_behavior = {name_gpio_encoder_beha
                                                           NULL,
                                                           2,
                                                           1};
-const char *mip_gpio_encoder_behavior_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_encoder_behavior, value);
-}
 
 static const char name_gpio_timestamp_behavior[] = "gpio_timestamp_behavior";
 static const char labels_gpio_timestamp_behavior[] = "rising\0falling\0either";
@@ -317,18 +272,12 @@ const struct mip_names mip_names_gpio_timestamp_behavior = {name_gpio_timestamp_
                                                             NULL,
                                                             3,
                                                             1};
-const char *mip_gpio_timestamp_behavior_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_timestamp_behavior, value);
-}
 
 static const char name_gpio_uart_behavior[] = "gpio_uart_behavior";
 static const char labels_gpio_uart_behavior[] = "port_2_tx\0port_2_rx\0port_3_tx\0port_3_rx";
 static const uint8_t numbers_gpio_uart_behavior[] = {33, 34, 49, 50};
 const struct mip_names mip_names_gpio_uart_behavior = {
     name_gpio_uart_behavior, labels_gpio_uart_behavior, numbers_gpio_uart_behavior, NULL, 4, 1};
-const char *mip_gpio_uart_behavior_name(uint8_t value) {
-    return mip_value_name(&mip_names_gpio_uart_behavior, value);
-}
 
 static const char name_gpio_pin_mode[] = "gpio_pin_mode";
 static const char labels_gpio_pin_mode[] = "open_drain\0pulldown\0pullup";
@@ -345,27 +294,18 @@ static const char labels_nmea_message_id[] = "gga\0gll\0gsv\0rmc\0vtg\0hdt\0zda\
 static const uint8_t numbers_nmea_message_id[] = {1, 2, 3, 4, 5, 6, 7, 8, 129, 130};
 const struct mip_names mip_names_nmea_message_id = {
     name_nmea_message_id, labels_nmea_message_id, numbers_nmea_message_id, NULL, 10, 1};
-const char *mip_nmea_message_id_name(uint8_t value) {
-    return mip_value_name(&mip_names_nmea_message_id, value);
-}
 
 static const char name_nmea_talker_id[] = "nmea_talker_id";
 static const char labels_nmea_talker_id[] = "ignored\0gnss\0gps\0galileo\0glonass";
 static const uint8_t numbers_nmea_talker_id[] = {0, 1, 2, 3, 4};
 const struct mip_names mip_names_nmea_talker_id = {
     name_nmea_talker_id, labels_nmea_talker_id, numbers_nmea_talker_id, NULL, 5, 1};
-const char *mip_nmea_talker_id_name(uint8_t value) {
-    return mip_value_name(&mip_names_nmea_talker_id, value);
-}
 
 static const char name_comm_interface[] = "comm_interface";
 static const char labels_comm_interface[] = "all\0main\0uart_1\0uart_2\0uart_3\0usb_1\0usb_2";
 static const uint8_t numbers_comm_interface[] = {0, 1, 17, 18, 19, 33, 34};
 const struct mip_names mip_names_comm_interface = {
     name_comm_interface, labels_comm_interface, numbers_comm_interface, NULL, 7, 1};
-const char *mip_comm_interface_name(uint8_t value) {
-    return mip_value_name(&mip_names_comm_interface, value);
-}
 
 static const char name_rtk_status_flags[] = "rtk_status_flags";
 static const char labels_rtk_status_flags[] =
@@ -437,9 +377,6 @@ static const char labels_base_gps_time_field[] = "week_number\0tow";
 static const uint8_t numbers_base_gps_time_field[] = {1, 2};
 const struct mip_names mip_names_base_gps_time_field = {
     name_base_gps_time_field, labels_base_gps_time_field, numbers_base_gps_time_field, NULL, 2, 1};
-const char *mip_base_gps_time_field_name(uint8_t value) {
-    return mip_value_name(&mip_names_base_gps_time_field, value);
-}
 
 static const char name_3dm_factory_streaming_action[] = "3dm.factory_streaming_action";
 static const char labels_3dm_factory_streaming_action[] = "overwrite\0merge\0add";
@@ -451,9 +388,6 @@ const struct mip_names mip_names_3dm_factory_streaming_action = {
     NULL,
     3,
     1};
-const char *mip_3dm_factory_streaming_action_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_factory_streaming_action, value);
-}
 
 static const char name_3dm_constellation_id[] = "3dm.constellation_id";
 static const char labels_3dm_constellation_id[] = "gps\0sbas\0galileo\0beidou\0qzss\0glonass";
@@ -464,9 +398,6 @@ const struct mip_names mip_names_3dm_constellation_id = {name_3dm_constellation_
                                                          NULL,
                                                          6,
                                                          1};
-const char *mip_3dm_constellation_id_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_constellation_id, value);
-}
 
 static const char name_3dm_constellation_options[] = "3dm.constellation_options";
 static const char labels_3dm_constellation_options[] = "l1saif";
@@ -499,18 +430,12 @@ const struct mip_names mip_names_3dm_assisted_fix_option = {name_3dm_assisted_fi
                                                             NULL,
                                                             2,
                                                             1};
-const char *mip_3dm_assisted_fix_option_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_assisted_fix_option, value);
-}
 
 static const char name_3dm_pps_source[] = "3dm.pps_source";
 static const char labels_3dm_pps_source[] = "disabled\0receiver_1\0receiver_2\0gpio\0generated";
 static const uint8_t numbers_3dm_pps_source[] = {0, 1, 2, 3, 4};
 const struct mip_names mip_names_3dm_pps_source = {
     name_3dm_pps_source, labels_3dm_pps_source, numbers_3dm_pps_source, NULL, 5, 1};
-const char *mip_3dm_pps_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_pps_source, value);
-}
 
 static const char name_3dm_event_support_query[] = "3dm.event_support_query";
 static const char labels_3dm_event_support_query[] = "trigger_types\0action_types";
@@ -521,9 +446,6 @@ const struct mip_names mip_names_3dm_event_support_query = {name_3dm_event_suppo
                                                             NULL,
                                                             2,
                                                             1};
-const char *mip_3dm_event_support_query_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_event_support_query, value);
-}
 
 static const char name_3dm_receiver_dynamics[] = "3dm.receiver_dynamics";
 static const char labels_3dm_receiver_dynamics[] =
@@ -536,9 +458,6 @@ const struct mip_names mip_names_3dm_receiver_dynamics = {name_3dm_receiver_dyna
                                                           NULL,
                                                           9,
                                                           1};
-const char *mip_3dm_receiver_dynamics_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_receiver_dynamics, value);
-}
 
 static const char name_3dm_data_conditioning_flags[] = "3dm.data_conditioning_flags";
 static const char labels_3dm_data_conditioning_flags[] =
@@ -561,9 +480,6 @@ static const char labels_3dm_mag_bandwidth[] = "high\0low";
 static const uint8_t numbers_3dm_mag_bandwidth[] = {0, 1};
 const struct mip_names mip_names_3dm_mag_bandwidth = {
     name_3dm_mag_bandwidth, labels_3dm_mag_bandwidth, numbers_3dm_mag_bandwidth, NULL, 2, 1};
-const char *mip_3dm_mag_bandwidth_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_mag_bandwidth, value);
-}
 
 static const char name_3dm_imu_timestamp_selector[] = "3dm.imu_timestamp_selector";
 static const char labels_3dm_imu_timestamp_selector[] =
@@ -575,18 +491,12 @@ const struct mip_names mip_names_3dm_imu_timestamp_selector = {name_3dm_imu_time
                                                                NULL,
                                                                3,
                                                                1};
-const char *mip_3dm_imu_timestamp_selector_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_imu_timestamp_selector, value);
-}
 
 static const char name_3dm_odometer_mode[] = "3dm.odometer_mode";
 static const char labels_3dm_odometer_mode[] = "disabled\0quadrature";
 static const uint8_t numbers_3dm_odometer_mode[] = {0, 2};
 const struct mip_names mip_names_3dm_odometer_mode = {
     name_3dm_odometer_mode, labels_3dm_odometer_mode, numbers_3dm_odometer_mode, NULL, 2, 1};
-const char *mip_3dm_odometer_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_odometer_mode, value);
-}
 
 static const char name_3dm_sensor_range_type[] = "3dm.sensor_range_type";
 static const char labels_3dm_sensor_range_type[] = "all\0accel\0gyro\0mag\0pressure";
@@ -597,27 +507,18 @@ const struct mip_names mip_names_3dm_sensor_range_type = {name_3dm_sensor_range_
                                                           NULL,
                                                           5,
                                                           1};
-const char *mip_3dm_sensor_range_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_sensor_range_type, value);
-}
 
 static const char name_3dm_internal_sensor[] = "3dm.internal_sensor";
 static const char labels_3dm_internal_sensor[] = "imu\0gnss";
 static const uint8_t numbers_3dm_internal_sensor[] = {1, 2};
 const struct mip_names mip_names_3dm_internal_sensor = {
     name_3dm_internal_sensor, labels_3dm_internal_sensor, numbers_3dm_internal_sensor, NULL, 2, 1};
-const char *mip_3dm_internal_sensor_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_internal_sensor, value);
-}
 
 static const char name_3dm_stream_format[] = "3dm.stream_format";
 static const char labels_3dm_stream_format[] = "standard\0wrapped_raw";
 static const uint8_t numbers_3dm_stream_format[] = {1, 2};
 const struct mip_names mip_names_3dm_stream_format = {
     name_3dm_stream_format, labels_3dm_stream_format, numbers_3dm_stream_format, NULL, 2, 1};
-const char *mip_3dm_stream_format_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_stream_format, value);
-}
 
 static const char name_3dm_sensor_power_state[] = "3dm.sensor_power_state";
 static const char labels_3dm_sensor_power_state[] = "on\0low_power\0sleep\0off";
@@ -628,9 +529,6 @@ const struct mip_names mip_names_3dm_sensor_power_state = {name_3dm_sensor_power
                                                            NULL,
                                                            4,
                                                            1};
-const char *mip_3dm_sensor_power_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_sensor_power_state, value);
-}
 
 static const char name_3dm_device_status_selector[] = "3dm.device_status_selector";
 static const char labels_3dm_device_status_selector[] = "basic\0diagnostic";
@@ -641,9 +539,6 @@ const struct mip_names mip_names_3dm_device_status_selector = {name_3dm_device_s
                                                                NULL,
                                                                2,
                                                                1};
-const char *mip_3dm_device_status_selector_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_device_status_selector, value);
-}
 
 static const char name_3dm_legacy_data_stream[] = "3dm.legacy_data_stream";
 static const char labels_3dm_legacy_data_stream[] = "all_streams\0imu\0gnss\0filter";
@@ -654,9 +549,6 @@ const struct mip_names mip_names_3dm_legacy_data_stream = {name_3dm_legacy_data_
                                                            NULL,
                                                            4,
                                                            1};
-const char *mip_3dm_legacy_data_stream_name(uint8_t value) {
-    return mip_value_name(&mip_names_3dm_legacy_data_stream, value);
-}
 
 static const char name_3dm_gx4_system_state[] = "3dm.gx4_system_state";
 static const char labels_3dm_gx4_system_state[] = "init\0sensor_startup\0running";
@@ -667,9 +559,6 @@ const struct mip_names mip_names_3dm_gx4_system_state = {name_3dm_gx4_system_sta
                                                          NULL,
                                                          3,
                                                          2};
-const char *mip_3dm_gx4_system_state_name(uint16_t value) {
-    return mip_value_name(&mip_names_3dm_gx4_system_state, value);
-}
 
 static const char name_filter_dynamics_mode[] = "filter.dynamics_mode";
 static const char labels_filter_dynamics_mode[] = "portable\0automotive\0airborne\0airborne_high_g";
@@ -680,9 +569,6 @@ const struct mip_names mip_names_filter_dynamics_mode = {name_filter_dynamics_mo
                                                          NULL,
                                                          4,
                                                          1};
-const char *mip_filter_dynamics_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_dynamics_mode, value);
-}
 
 static const char name_filter_estimated_states[] = "filter.estimated_states";
 static const char labels_filter_estimated_states[] =
@@ -709,18 +595,12 @@ const struct mip_names mip_names_filter_gnss_aiding_source = {name_filter_gnss_a
                                                               NULL,
                                                               4,
                                                               1};
-const char *mip_filter_gnss_aiding_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_gnss_aiding_source, value);
-}
 
 static const char name_filter_heading_type[] = "filter.heading_type";
 static const char labels_filter_heading_type[] = "true_heading\0magnetic_heading";
 static const uint8_t numbers_filter_heading_type[] = {1, 2};
 const struct mip_names mip_names_filter_heading_type = {
     name_filter_heading_type, labels_filter_heading_type, numbers_filter_heading_type, NULL, 2, 1};
-const char *mip_filter_heading_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_heading_type, value);
-}
 
 static const char name_filter_heading_update_source[] = "filter.heading_update_source";
 static const char labels_filter_heading_update_source[] =
@@ -734,9 +614,6 @@ const struct mip_names mip_names_filter_heading_update_source = {
     NULL,
     8,
     1};
-const char *mip_filter_heading_update_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_heading_update_source, value);
-}
 
 static const char name_filter_tare_axes[] = "filter.tare_axes";
 static const char labels_filter_tare_axes[] = "roll\0pitch\0yaw";
@@ -770,9 +647,6 @@ const struct mip_names mip_names_filter_mag_parameter_source = {name_filter_mag_
                                                                 NULL,
                                                                 3,
                                                                 1};
-const char *mip_filter_mag_parameter_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_mag_parameter_source, value);
-}
 
 static const char name_filter_adaptive_measurement_selector[] =
     "filter.adaptive_measurement_selector";
@@ -785,9 +659,6 @@ const struct mip_names mip_names_filter_adaptive_measurement_selector = {
     NULL,
     3,
     1};
-const char *mip_filter_adaptive_measurement_selector_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_adaptive_measurement_selector, value);
-}
 
 static const char name_filter_altitude_aiding_source[] = "filter.altitude_aiding_source";
 static const char labels_filter_altitude_aiding_source[] = "none\0pressure";
@@ -799,9 +670,6 @@ const struct mip_names mip_names_filter_altitude_aiding_source = {
     NULL,
     2,
     1};
-const char *mip_filter_altitude_aiding_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_altitude_aiding_source, value);
-}
 
 static const char name_filter_pitch_roll_aiding_source[] = "filter.pitch_roll_aiding_source";
 static const char labels_filter_pitch_roll_aiding_source[] = "none\0gravity_vector";
@@ -813,9 +681,6 @@ const struct mip_names mip_names_filter_pitch_roll_aiding_source = {
     NULL,
     2,
     1};
-const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_pitch_roll_aiding_source, value);
-}
 
 static const char name_filter_aiding_source[] = "filter.aiding_source";
 static const char labels_filter_aiding_source[] =
@@ -828,9 +693,6 @@ const struct mip_names mip_names_filter_aiding_source = {name_filter_aiding_sour
                                                          NULL,
                                                          10,
                                                          2};
-const char *mip_filter_aiding_source_name(uint16_t value) {
-    return mip_value_name(&mip_names_filter_aiding_source, value);
-}
 
 static const char name_filter_accel_constraint[] = "filter.accel_constraint";
 static const char labels_filter_accel_constraint[] = "none\0zero_accel";
@@ -841,9 +703,6 @@ const struct mip_names mip_names_filter_accel_constraint = {name_filter_accel_co
                                                             NULL,
                                                             2,
                                                             1};
-const char *mip_filter_accel_constraint_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_accel_constraint, value);
-}
 
 static const char name_filter_velocity_constraint[] = "filter.velocity_constraint";
 static const char labels_filter_velocity_constraint[] = "none\0zero_velocity\0wheeled_vehicle";
@@ -854,9 +713,6 @@ const struct mip_names mip_names_filter_velocity_constraint = {name_filter_veloc
                                                                NULL,
                                                                3,
                                                                1};
-const char *mip_filter_velocity_constraint_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_velocity_constraint, value);
-}
 
 static const char name_filter_angular_constraint[] = "filter.angular_constraint";
 static const char labels_filter_angular_constraint[] = "none\0zero_angular_rate";
@@ -867,9 +723,6 @@ const struct mip_names mip_names_filter_angular_constraint = {name_filter_angula
                                                               NULL,
                                                               2,
                                                               1};
-const char *mip_filter_angular_constraint_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_angular_constraint, value);
-}
 
 static const char name_filter_initial_condition_source[] = "filter.initial_condition_source";
 static const char labels_filter_initial_condition_source[] =
@@ -883,9 +736,6 @@ const struct mip_names mip_names_filter_initial_condition_source = {
     NULL,
     4,
     1};
-const char *mip_filter_initial_condition_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_initial_condition_source, value);
-}
 
 static const char name_filter_heading_alignment[] = "filter.heading_alignment";
 static const char labels_filter_heading_alignment[] = "dual_antenna\0kinematic\0mag\0external";
@@ -911,9 +761,6 @@ const struct mip_names mip_names_filter_reference_frame = {name_filter_reference
                                                            NULL,
                                                            2,
                                                            1};
-const char *mip_filter_reference_frame_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_reference_frame, value);
-}
 
 static const char name_filter_adaptive_level[] = "filter.adaptive_level";
 static const char labels_filter_adaptive_level[] = "off\0conservative\0moderate\0aggressive";
@@ -924,9 +771,6 @@ const struct mip_names mip_names_filter_adaptive_level = {name_filter_adaptive_l
                                                           NULL,
                                                           4,
                                                           1};
-const char *mip_filter_adaptive_level_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_adaptive_level, value);
-}
 
 static const char name_filter_relative_position_source[] = "filter.relative_position_source";
 static const char labels_filter_relative_position_source[] = "auto\0manual";
@@ -938,9 +782,6 @@ const struct mip_names mip_names_filter_relative_position_source = {
     NULL,
     2,
     1};
-const char *mip_filter_relative_position_source_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_relative_position_source, value);
-}
 
 static const char name_filter_reference_point[] = "filter.reference_point";
 static const char labels_filter_reference_point[] = "vehicle";
@@ -951,9 +792,6 @@ const struct mip_names mip_names_filter_reference_point = {name_filter_reference
                                                            NULL,
                                                            1,
                                                            1};
-const char *mip_filter_reference_point_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_reference_point, value);
-}
 
 static const char name_gnss_gps_signals[] = "gnss.gps_signals";
 static const char labels_gnss_gps_signals[] = "l1ca\0l2c\0l5";
@@ -1000,9 +838,6 @@ static const char labels_gnss_receiver_id[] =
 static const uint8_t numbers_gnss_receiver_id[] = {0, 1, 2, 4, 5};
 const struct mip_names mip_names_gnss_receiver_id = {
     name_gnss_receiver_id, labels_gnss_receiver_id, numbers_gnss_receiver_id, NULL, 5, 1};
-const char *mip_gnss_receiver_id_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_receiver_id, value);
-}
 
 static const char name_gnss_receiver_reset_type[] = "gnss.receiver_reset_type";
 static const char labels_gnss_receiver_reset_type[] = "hardware\0cold\0warm\0hot";
@@ -1013,9 +848,6 @@ const struct mip_names mip_names_gnss_receiver_reset_type = {name_gnss_receiver_
                                                              NULL,
                                                              4,
                                                              1};
-const char *mip_gnss_receiver_reset_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_receiver_reset_type, value);
-}
 
 static const char name_gnss_ambiguity_fix_mode[] = "gnss.ambiguity_fix_mode";
 static const char labels_gnss_ambiguity_fix_mode[] = "off\0conservative\0moderate\0aggressive";
@@ -1026,9 +858,6 @@ const struct mip_names mip_names_gnss_ambiguity_fix_mode = {name_gnss_ambiguity_
                                                             NULL,
                                                             4,
                                                             1};
-const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_ambiguity_fix_mode, value);
-}
 
 static const char name_gnss_spartn_connection[] = "gnss.spartn_connection";
 static const char labels_gnss_spartn_connection[] = "none\0network\0l_band";
@@ -1039,9 +868,6 @@ const struct mip_names mip_names_gnss_spartn_connection = {name_gnss_spartn_conn
                                                            NULL,
                                                            3,
                                                            1};
-const char *mip_gnss_spartn_connection_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_spartn_connection, value);
-}
 
 static const char name_rtk_connected_device[] = "rtk.connected_device";
 static const char labels_rtk_connected_device[] = "generic\0gq7";
@@ -1052,9 +878,6 @@ const struct mip_names mip_names_rtk_connected_device = {name_rtk_connected_devi
                                                          NULL,
                                                          2,
                                                          1};
-const char *mip_rtk_connected_device_name(uint8_t value) {
-    return mip_value_name(&mip_names_rtk_connected_device, value);
-}
 
 static const char name_rtk_service_flags[] = "rtk.service_flags";
 static const char labels_rtk_service_flags[] = "throttle\0corrections_unavailable";
@@ -1070,45 +893,30 @@ static const char labels_rtk_storage_medium[] = "external_flash\0sd";
 static const uint8_t numbers_rtk_storage_medium[] = {0, 1};
 const struct mip_names mip_names_rtk_storage_medium = {
     name_rtk_storage_medium, labels_rtk_storage_medium, numbers_rtk_storage_medium, NULL, 2, 1};
-const char *mip_rtk_storage_medium_name(uint8_t value) {
-    return mip_value_name(&mip_names_rtk_storage_medium, value);
-}
 
 static const char name_rtk_led_action[] = "rtk.led_action";
 static const char labels_rtk_led_action[] = "none\0flash\0pulsate";
 static const uint8_t numbers_rtk_led_action[] = {0, 1, 2};
 const struct mip_names mip_names_rtk_led_action = {
     name_rtk_led_action, labels_rtk_led_action, numbers_rtk_led_action, NULL, 3, 1};
-const char *mip_rtk_led_action_name(uint8_t value) {
-    return mip_value_name(&mip_names_rtk_led_action, value);
-}
 
 static const char name_aiding_frame_format[] = "aiding.aiding_frame_format";
 static const char labels_aiding_frame_format[] = "euler\0quaternion";
 static const uint8_t numbers_aiding_frame_format[] = {1, 2};
 const struct mip_names mip_names_aiding_frame_format = {
     name_aiding_frame_format, labels_aiding_frame_format, numbers_aiding_frame_format, NULL, 2, 1};
-const char *mip_aiding_frame_format_name(uint8_t value) {
-    return mip_value_name(&mip_names_aiding_frame_format, value);
-}
 
 static const char name_aiding_echo_mode[] = "aiding.aiding_echo_mode";
 static const char labels_aiding_echo_mode[] = "suppress_ack\0standard\0response";
 static const uint8_t numbers_aiding_echo_mode[] = {0, 1, 2};
 const struct mip_names mip_names_aiding_echo_mode = {
     name_aiding_echo_mode, labels_aiding_echo_mode, numbers_aiding_echo_mode, NULL, 3, 1};
-const char *mip_aiding_echo_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_aiding_echo_mode, value);
-}
 
 static const char name_aiding_timebase[] = "aiding.timebase";
 static const char labels_aiding_timebase[] = "internal_reference\0external_time\0time_of_arrival";
 static const uint8_t numbers_aiding_timebase[] = {1, 2, 3};
 const struct mip_names mip_names_aiding_timebase = {
     name_aiding_timebase, labels_aiding_timebase, numbers_aiding_timebase, NULL, 3, 1};
-const char *mip_aiding_timebase_name(uint8_t value) {
-    return mip_value_name(&mip_names_aiding_timebase, value);
-}
 
 static const char name_aiding_axis_flags[] = "aiding.axis_flags";
 static const char labels_aiding_axis_flags[] = "x\0y\0z";
@@ -1155,9 +963,6 @@ const struct mip_names mip_names_system_protocol_mode = {name_system_protocol_mo
                                                          NULL,
                                                          3,
                                                          1};
-const char *mip_system_protocol_mode_name(uint8_t value) {
-    return mip_value_name(&mip_names_system_protocol_mode, value);
-}
 
 static const char name_sensor_overrange_flags[] = "sensor.overrange_flags";
 static const char labels_sensor_overrange_flags[] =
@@ -1353,9 +1158,6 @@ const struct mip_names mip_names_gnss_data_receiver_state = {name_gnss_data_rece
                                                              NULL,
                                                              3,
                                                              1};
-const char *mip_gnss_data_receiver_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_receiver_state, value);
-}
 
 static const char name_gnss_data_antenna_state[] = "gnss_data.antenna_state";
 static const char labels_gnss_data_antenna_state[] = "init\0short\0open\0good\0unknown";
@@ -1366,9 +1168,6 @@ const struct mip_names mip_names_gnss_data_antenna_state = {name_gnss_data_anten
                                                             NULL,
                                                             5,
                                                             1};
-const char *mip_gnss_data_antenna_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_antenna_state, value);
-}
 
 static const char name_gnss_data_antenna_power[] = "gnss_data.antenna_power";
 static const char labels_gnss_data_antenna_power[] = "off\0on\0unknown";
@@ -1379,9 +1178,6 @@ const struct mip_names mip_names_gnss_data_antenna_power = {name_gnss_data_anten
                                                             NULL,
                                                             3,
                                                             1};
-const char *mip_gnss_data_antenna_power_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_antenna_power, value);
-}
 
 static const char name_gnss_data_hardware_status_flags[] = "gnss_data.hardware_status_flags";
 static const char labels_gnss_data_hardware_status_flags[] =
@@ -1463,9 +1259,6 @@ const struct mip_names mip_names_gnss_data_sbas_system = {name_gnss_data_sbas_sy
                                                           NULL,
                                                           5,
                                                           1};
-const char *mip_gnss_data_sbas_system_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_sbas_system, value);
-}
 
 static const char name_gnss_data_sbas_status[] = "gnss_data.sbas_status";
 static const char labels_gnss_data_sbas_status[] =
@@ -1519,9 +1312,6 @@ static const char labels_gnss_data_rf_band[] = "unknown\0l1\0l2\0l5";
 static const uint8_t numbers_gnss_data_rf_band[] = {0, 1, 2, 5};
 const struct mip_names mip_names_gnss_data_rf_band = {
     name_gnss_data_rf_band, labels_gnss_data_rf_band, numbers_gnss_data_rf_band, NULL, 4, 1};
-const char *mip_gnss_data_rf_band_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_rf_band, value);
-}
 
 static const char name_gnss_data_jamming_state[] = "gnss_data.jamming_state";
 static const char labels_gnss_data_jamming_state[] = "unknown\0none\0partial\0significant";
@@ -1532,9 +1322,6 @@ const struct mip_names mip_names_gnss_data_jamming_state = {name_gnss_data_jammi
                                                             NULL,
                                                             4,
                                                             1};
-const char *mip_gnss_data_jamming_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_jamming_state, value);
-}
 
 static const char name_gnss_data_spoofing_state[] = "gnss_data.spoofing_state";
 static const char labels_gnss_data_spoofing_state[] = "unknown\0none\0partial\0significant";
@@ -1545,9 +1332,6 @@ const struct mip_names mip_names_gnss_data_spoofing_state = {name_gnss_data_spoo
                                                              NULL,
                                                              4,
                                                              1};
-const char *mip_gnss_data_spoofing_state_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_spoofing_state, value);
-}
 
 static const char name_gnss_data_rf_error_detection_flags[] = "gnss_data.rf_error_detection_flags";
 static const char labels_gnss_data_rf_error_detection_flags[] =
@@ -1572,9 +1356,6 @@ const struct mip_names mip_names_gnss_data_heading_fix_type = {name_gnss_data_he
                                                                NULL,
                                                                3,
                                                                1};
-const char *mip_gnss_data_heading_fix_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_heading_fix_type, value);
-}
 
 static const char name_gnss_data_heading_flags[] = "gnss_data.heading_flags";
 static const char labels_gnss_data_heading_flags[] = "heading\0uncertainty\0fix_type\0flags";
@@ -1616,9 +1397,6 @@ const struct mip_names mip_names_gnss_data_signal_quality = {name_gnss_data_sign
                                                              NULL,
                                                              6,
                                                              1};
-const char *mip_gnss_data_signal_quality_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_signal_quality, value);
-}
 
 static const char name_gnss_data_raw_flags[] = "gnss_data.raw_flags";
 static const char labels_gnss_data_raw_flags[] =
@@ -1723,9 +1501,6 @@ const struct mip_names mip_names_gnss_data_glonass_satellite_type = {
     NULL,
     2,
     1};
-const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_gnss_data_glonass_satellite_type, value);
-}
 
 static const char name_gnss_data_glonass_ephemeris_flags[] = "gnss_data.glonass_ephemeris_flags";
 static const char labels_gnss_data_glonass_ephemeris_flags[] = "ephemeris\0flags";
@@ -1842,9 +1617,6 @@ const struct mip_names mip_names_filter_data_heading_aiding_type = {
     NULL,
     2,
     1};
-const char *mip_filter_data_heading_aiding_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_data_heading_aiding_type, value);
-}
 
 static const char name_filter_data_aiding_measurement_type[] =
     "filter_data.aiding_measurement_type";
@@ -1861,9 +1633,6 @@ const struct mip_names mip_names_filter_data_aiding_measurement_type = {
     NULL,
     15,
     1};
-const char *mip_filter_data_aiding_measurement_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_data_aiding_measurement_type, value);
-}
 
 static const char name_filter_data_aiding_measurement_indicator[] =
     "filter_data.aiding_measurement_indicator";
@@ -1893,9 +1662,6 @@ const struct mip_names mip_names_filter_data_dual_antenna_fix_type = {
     NULL,
     3,
     1};
-const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_data_dual_antenna_fix_type, value);
-}
 
 static const char name_filter_data_dual_antenna_status_flags[] =
     "filter_data.dual_antenna_status_flags";
@@ -1925,9 +1691,6 @@ const struct mip_names mip_names_filter_data_gx5_filter_state = {
     NULL,
     4,
     2};
-const char *mip_filter_data_gx5_filter_state_name(uint16_t value) {
-    return mip_value_name(&mip_names_filter_data_gx5_filter_state, value);
-}
 
 static const char name_filter_data_cv7_filter_state[] = "filter_data.cv7_filter_state";
 static const char labels_filter_data_cv7_filter_state[] = "init\0vertical_gyro\0ahrs\0full_nav";
@@ -1939,9 +1702,6 @@ const struct mip_names mip_names_filter_data_cv7_filter_state = {
     NULL,
     4,
     2};
-const char *mip_filter_data_cv7_filter_state_name(uint16_t value) {
-    return mip_value_name(&mip_names_filter_data_cv7_filter_state, value);
-}
 
 static const char name_filter_data_gx5_dynamics_mode[] = "filter_data.gx5_dynamics_mode";
 static const char labels_filter_data_gx5_dynamics_mode[] =
@@ -1954,9 +1714,6 @@ const struct mip_names mip_names_filter_data_gx5_dynamics_mode = {
     NULL,
     4,
     2};
-const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value) {
-    return mip_value_name(&mip_names_filter_data_gx5_dynamics_mode, value);
-}
 
 static const char name_filter_data_cv7_dynamics_mode[] = "filter_data.cv7_dynamics_mode";
 static const char labels_filter_data_cv7_dynamics_mode[] = "default";
@@ -1968,9 +1725,6 @@ const struct mip_names mip_names_filter_data_cv7_dynamics_mode = {
     NULL,
     1,
     2};
-const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value) {
-    return mip_value_name(&mip_names_filter_data_cv7_dynamics_mode, value);
-}
 
 static const char name_filter_data_gx5_status_flags[] = "filter_data.gx5_status_flags";
 static const char labels_filter_data_gx5_status_flags[] =
@@ -2004,9 +1758,6 @@ const struct mip_names mip_names_filter_data_filter_condition = {
     NULL,
     3,
     1};
-const char *mip_filter_data_filter_condition_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_data_filter_condition, value);
-}
 
 static const char name_filter_data_cv7_status_flags[] = "filter_data.cv7_status_flags";
 static const char labels_filter_data_cv7_status_flags[] =

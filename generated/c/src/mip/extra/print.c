@@ -446,22 +446,17 @@ static void put_field(const struct mip_print *print, unsigned depth,
     }
 }
 
-/** Prints "packet (0x80) sensor, 20 bytes". */
-static void put_head(const struct mip_print *print, uint8_t descriptor_set, size_t size) {
-    const struct mip_set *set = mip_registry_set(descriptor_set);
-    put_number(print, "packet (0x", descriptor_set, 2, ")");
-    put(print, set != NULL ? " " : "");
-    put(print, set != NULL ? set->name : "");
-    put(print, ", ");
-    mip_print_unsigned(print, size);
-    put(print, " bytes");
-}
-
-static void put_fields(const struct mip_print *print, const struct mip_packet *packet) {
+void mip_print_packet(const struct mip_print *print, const struct mip_packet *packet) {
+    const struct mip_set *set = mip_registry_set(packet->descriptor_set);
     struct mip_walk walk = mip_walk_packet(packet);
     const uint8_t *at = walk.at;
     struct mip_field field;
-    put(print, "\n");
+    put_number(print, "packet (0x", packet->descriptor_set, 2, ")");
+    put(print, set != NULL ? " " : "");
+    put(print, set != NULL ? set->name : "");
+    put(print, ", ");
+    mip_print_unsigned(print, packet->size);
+    put(print, " bytes\n");
     while (mip_walk_next(&walk, &field)) {
         put_field(print, 1, &field);
         at = walk.at;
@@ -472,37 +467,6 @@ static void put_fields(const struct mip_print *print, const struct mip_packet *p
     }
 }
 
-void mip_print_packet(const struct mip_print *print, const struct mip_packet *packet) {
-    put_head(print, packet->descriptor_set, packet->size);
-    put_fields(print, packet);
-}
-
-void mip_print_bytes(const struct mip_print *print, const uint8_t *bytes, size_t size) {
-    struct mip_packet packet;
-    const mip_error error = mip_packet_check(bytes, size, &packet);
-    if (error != MIP_OK && error != MIP_ERROR_CHECKSUM) {
-        put(print, "no packet (");
-        put(print, mip_error_name(error));
-        put(print, "), ");
-        mip_print_unsigned(print, size);
-        put(print, " bytes\n");
-        mip_print_hex(print, bytes, size);
-        return;
-    }
-    packet.bytes = bytes;
-    packet.size = size;
-    packet.descriptor_set = bytes[2];
-    put_head(print, packet.descriptor_set, size);
-    put_number(print, ", checksum 0x", mip_get_16(bytes + size - MIP_CHECKSUM_SIZE), 4, "");
-    if (error == MIP_OK) {
-        put(print, " is right");
-    } else {
-        const uint16_t sum = mip_checksum(bytes, size - MIP_CHECKSUM_SIZE);
-        put_number(print, " is wrong, 0x", sum, 4, " is right");
-    }
-    put_fields(print, &packet);
-}
-
 void mip_print_field(const struct mip_print *print, const struct mip_field *field) {
     put_field(print, 0, field);
 }
@@ -510,28 +474,6 @@ void mip_print_field(const struct mip_print *print, const struct mip_field *fiel
 void mip_print_value(const struct mip_print *print, const struct mip_codec *codec,
                      const void *value) {
     put_values(print, 0, codec, (const uint8_t *)value);
-}
-
-void mip_print_hex(const struct mip_print *print, const uint8_t *bytes, size_t size) {
-    for (size_t line = 0; line < size; line += 16) {
-        const size_t count = size - line < 16 ? size - line : 16;
-        put_number(print, "", line, line > 0xFFFF ? 8 : 4, " ");
-        for (size_t i = 0; i < 16; i++) {
-            put(print, i % 8 == 0 ? "  " : " ");
-            if (i < count) {
-                put_digits(print, bytes[line + i], 2);
-            } else {
-                put(print, "  ");
-            }
-        }
-        put(print, "  |");
-        for (size_t i = 0; i < count; i++) {
-            const uint8_t byte = bytes[line + i];
-            const char c = (char)(byte < 0x20 || byte > 0x7E ? '.' : byte);
-            print->put(print->user, &c, 1);
-        }
-        put(print, "|\n");
-    }
 }
 
 /* ------------------------------------------------------------------------------------- buffers */

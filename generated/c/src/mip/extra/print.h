@@ -56,10 +56,6 @@ MIP_API struct mip_print mip_print_to_text(struct mip_text *text, char *buffer, 
 /** Prints a packet: its descriptor set, its fields, and the error after the last one, if any. */
 MIP_API void mip_print_packet(const struct mip_print *print, const struct mip_packet *packet);
 
-/** Prints bytes that should be one packet, and whether the checksum is correct. If the sync bytes
- * or the length are wrong, prints the error and a hex dump. */
-MIP_API void mip_print_bytes(const struct mip_print *print, const uint8_t *bytes, size_t size);
-
 /** Prints a field: its name, its descriptors and its values, or why it cannot be decoded, and its
  * bytes. */
 MIP_API void mip_print_field(const struct mip_print *print, const struct mip_field *field);
@@ -68,9 +64,6 @@ MIP_API void mip_print_field(const struct mip_print *print, const struct mip_fie
  * must be one of this binding. Absent optional parameters are omitted. */
 MIP_API void mip_print_value(const struct mip_print *print, const struct mip_codec *codec,
                              const void *value);
-
-/** Prints a hex dump: a line for each 16 bytes, with their offset, as numbers and characters. */
-MIP_API void mip_print_hex(const struct mip_print *print, const uint8_t *bytes, size_t size);
 
 /** Prints a text that ends with a NUL. */
 MIP_API void mip_print_string(const struct mip_print *print, const char *text);

@@ -63,13 +63,6 @@ static const struct mip_profile_field cv5_10_absent_sets[] = {
     {0x93, 0, "", &cv5_10_evidence[5]},
 };
 
-static const struct mip_profile_note cv5_10_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
-     "`3dm.device_status_diagnostic_imu_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv5_10_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -91,11 +84,7 @@ const struct mip_profile mip_profile_cv5_10 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     4,    /* readings */
-    0,    /* acknowledge codes */
     cv5_10_also,
     cv5_10_incomplete,
     cv5_10_fields,
@@ -103,11 +92,7 @@ const struct mip_profile mip_profile_cv5_10 = {
     cv5_10_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cv5_10_notes,
     cv5_10_readings,
-    NULL,
 };
 
 /* 3DM-CV5-15. */
@@ -206,13 +191,6 @@ static const struct mip_profile_field cv5_15_absent_sets[] = {
     {0x93, 0, "", &cv5_15_evidence[5]},
 };
 
-static const struct mip_profile_note cv5_15_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -237,11 +215,7 @@ const struct mip_profile mip_profile_cv5_15 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     7,    /* readings */
-    0,    /* acknowledge codes */
     cv5_15_also,
     cv5_15_incomplete,
     cv5_15_fields,
@@ -249,11 +223,7 @@ const struct mip_profile mip_profile_cv5_15 = {
     cv5_15_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cv5_15_notes,
     cv5_15_readings,
-    NULL,
 };
 
 /* 3DM-CV5-25. */
@@ -347,13 +317,6 @@ static const struct mip_profile_field cv5_25_absent_sets[] = {
     {0x93, 0, "", &cv5_25_evidence[4]},
 };
 
-static const struct mip_profile_note cv5_25_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv5_25_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -378,11 +341,7 @@ const struct mip_profile mip_profile_cv5_25 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     7,    /* readings */
-    0,    /* acknowledge codes */
     cv5_25_also,
     cv5_25_incomplete,
     cv5_25_fields,
@@ -390,11 +349,7 @@ const struct mip_profile mip_profile_cv5_25 = {
     cv5_25_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cv5_25_notes,
     cv5_25_readings,
-    NULL,
 };
 
 /* 3DM-CV7-AHRS. */
@@ -519,68 +474,6 @@ static const struct mip_profile_rate cv7_ahrs_rates[] = {
     {0xA0, 1000},
 };
 
-static const uint32_t cv7_ahrs_baud_rates_1[] = {115200, 230400, 460800, 921600};
-
-static const uint32_t cv7_ahrs_baud_rates_2[] = {115200, 230400, 460800, 921600};
-
-static const struct mip_profile_port cv7_ahrs_ports[] = {
-    {"Main", 0x01, 4, cv7_ahrs_baud_rates_1, "MIP", "MIP"},
-    {"UART 1", 0x11, 4, cv7_ahrs_baud_rates_2, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit cv7_ahrs_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-    {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
-    {"event_gpio_triggers", 4, "", "Number of GPIO triggers.", ">= 1.0.04"},
-    {"event_threshold_triggers", 8, "", "Number of threshold triggers.", ">= 1.0.04"},
-    {"event_combination_triggers", 8, "", "Number of combination triggers.", ">= 1.0.04"},
-    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"},
-};
-
-static const char *const cv7_ahrs_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cv7_ahrs_gpio_pins_cells[] = {
-    "Pin",
-    "Connector pin",
-    "Features", /* heading */
-    "1",
-    "7",
-    "GPIO, PPS, timestamp", /* row 1 */
-    "2",
-    "9",
-    "GPIO, PPS, timestamp", /* row 2 */
-    "3",
-    "6",
-    "GPIO, PPS, timestamp", /* row 3 */
-    "4",
-    "10",
-    "GPIO, PPS, timestamp", /* row 4 */
-};
-
-static const struct mip_profile_note cv7_ahrs_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     cv7_ahrs_anti_aliasing_cells, 8, 3},
-    {"gpio_pins", "GPIO pins",
-     "Features of each pin, according to MSCL, and its position on the connector, according to the "
-     "ROS driver.",
-     cv7_ahrs_gpio_pins_cells, 5, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv7_ahrs_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -606,11 +499,7 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     4,    /* absent sets */
     2,    /* fields of some firmware */
     3,    /* base rates */
-    3,    /* ports */
-    6,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     cv7_ahrs_incomplete,
     cv7_ahrs_fields,
@@ -618,11 +507,7 @@ const struct mip_profile mip_profile_cv7_ahrs = {
     cv7_ahrs_absent_sets,
     cv7_ahrs_firmware,
     cv7_ahrs_rates,
-    cv7_ahrs_ports,
-    cv7_ahrs_limits,
-    cv7_ahrs_notes,
     cv7_ahrs_readings,
-    NULL,
 };
 
 /* 3DM-CV7-AR. */
@@ -748,68 +633,6 @@ static const struct mip_profile_rate cv7_ar_rates[] = {
     {0xA0, 1000},
 };
 
-static const uint32_t cv7_ar_baud_rates_1[] = {115200, 230400, 460800, 921600};
-
-static const uint32_t cv7_ar_baud_rates_2[] = {115200, 230400, 460800, 921600};
-
-static const struct mip_profile_port cv7_ar_ports[] = {
-    {"Main", 0x01, 4, cv7_ar_baud_rates_1, "MIP", "MIP"},
-    {"UART 1", 0x11, 4, cv7_ar_baud_rates_2, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit cv7_ar_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-    {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
-    {"event_gpio_triggers", 4, "", "Number of GPIO triggers.", ">= 1.0.04"},
-    {"event_threshold_triggers", 8, "", "Number of threshold triggers.", ">= 1.0.04"},
-    {"event_combination_triggers", 8, "", "Number of combination triggers.", ">= 1.0.04"},
-    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle.", ">= 1.0.04"},
-};
-
-static const char *const cv7_ar_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cv7_ar_gpio_pins_cells[] = {
-    "Pin",
-    "Connector pin",
-    "Features", /* heading */
-    "1",
-    "7",
-    "GPIO, PPS, timestamp", /* row 1 */
-    "2",
-    "9",
-    "GPIO, PPS, timestamp", /* row 2 */
-    "3",
-    "6",
-    "GPIO, PPS, timestamp", /* row 3 */
-    "4",
-    "10",
-    "GPIO, PPS, timestamp", /* row 4 */
-};
-
-static const struct mip_profile_note cv7_ar_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     cv7_ar_anti_aliasing_cells, 8, 3},
-    {"gpio_pins", "GPIO pins",
-     "Features of each pin, according to MSCL, and its position on the connector, according to the "
-     "ROS driver.",
-     cv7_ar_gpio_pins_cells, 5, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv7_ar_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -835,11 +658,7 @@ const struct mip_profile mip_profile_cv7_ar = {
     4,    /* absent sets */
     2,    /* fields of some firmware */
     3,    /* base rates */
-    3,    /* ports */
-    6,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     cv7_ar_incomplete,
     cv7_ar_fields,
@@ -847,11 +666,7 @@ const struct mip_profile mip_profile_cv7_ar = {
     cv7_ar_absent_sets,
     cv7_ar_firmware,
     cv7_ar_rates,
-    cv7_ar_ports,
-    cv7_ar_limits,
-    cv7_ar_notes,
     cv7_ar_readings,
-    NULL,
 };
 
 /* 3DM-CV7-GNSS/INS. */
@@ -1050,264 +865,6 @@ static const struct mip_profile_rate cv7_gnss_ins_rates[] = {
     {0x80, 1000}, {0x82, 1000}, {0x91, 5}, {0x92, 5}, {0x93, 0}, {0x94, 0}, {0xA0, 1000},
 };
 
-static const uint32_t cv7_gnss_ins_baud_rates_1[] = {115200, 230400, 460800, 921600, 3000000};
-
-static const uint32_t cv7_gnss_ins_baud_rates_2[] = {4800,   9600,   19200,  38400, 57600,
-                                                     115200, 230400, 460800, 921600};
-
-static const uint32_t cv7_gnss_ins_baud_rates_3[] = {4800,   9600,   19200,  38400, 57600,
-                                                     115200, 230400, 460800, 921600};
-
-static const struct mip_profile_port cv7_gnss_ins_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
-    {"UART 1", 0x11, 5, cv7_gnss_ins_baud_rates_1, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
-    {"UART 2", 0x12, 9, cv7_gnss_ins_baud_rates_2, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
-    {"UART 3", 0x13, 9, cv7_gnss_ins_baud_rates_3, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
-    {"USB 1", 0x21, 0, NULL, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
-    {"USB 2", 0x22, 0, NULL, "MIP, NMEA, RTCM, SPARTN", "MIP, NMEA"},
-};
-
-static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
-    {"event_triggers", 12, "", "Total number of triggers.", ">= 1.2.02"},
-    {"event_gpio_triggers", 4, "", "Number of GPIO triggers.", ">= 1.2.02"},
-    {"event_threshold_triggers", 8, "", "Number of threshold triggers.", ">= 1.2.02"},
-    {"event_combination_triggers", 8, "", "Number of combination triggers.", ">= 1.2.02"},
-    {"event_actions", 12, "", "Total number of actions.", ">= 1.2.02"},
-    {"event_gpio_actions", 6, "", "Number of GPIO actions.", ">= 1.2.02"},
-    {"event_message_actions", 8, "", "Number of message actions.", ">= 1.2.02"},
-    {"event_message_fields", 12, "", "Maximum number of fields in the packet of a message action.",
-     ""},
-    {"event_tick_rate", 1000, "Hz",
-     "Rate of the event cycle; always the base rate of the system data set.", ">= 1.2.02"},
-    {"gpio_pins", 4, "", "Number of user GPIO pins.", ""},
-    {"aiding_frames", 4, "", "Number of frames that the aiding frame configuration can define.",
-     ""},
-    {"nmea_rate", 10, "Hz", "Maximum rate of an NMEA sentence from the sensor or filter data set.",
-     ""},
-    {"nmea_gnss_rate", 2, "Hz", "Maximum rate of an NMEA sentence from a GNSS set.", ""},
-    {"mip_input_ports", 2, "", "Number of ports, besides the main port, that may accept MIP.", ""},
-    {"nmea_input_ports", 1, "", "Number of ports that may accept NMEA.", ""},
-    {"rtcm_input_ports", 1, "", "Number of ports that may accept RTCM.", ""},
-    {"spartn_input_ports", 1, "", "Number of ports that may accept SPARTN.", ""},
-    {"baud_rate_delay", 250, "ms", "Time to wait after a baud rate change.", ""},
-    {"time_update_window", 250, "ms",
-     "Time after the rising edge of the PPS within which the GPS time update must arrive.", ""},
-    {"save_time", 1, "s", "Maximum duration of saving all settings.", ""},
-    {"motion_latency", 1.9, "ms",
-     "Typical time from a motion to the message that reports it, not including transmission.", ""},
-    {"timestamp_repeatability", 1, "us",
-     "Upper bound of the typical variation of sensor timestamps due to internal processing.", ""},
-    {"gpio_timestamp_accuracy", 1, "us",
-     "Upper bound of the error of GPIO timestamps; the error is far smaller.", ""},
-    {"antenna_offset_error", 0.5, "m",
-     "Upper limit of the maximum offset in the antenna lever arm calibration.", ""},
-};
-
-static const char *const cv7_gnss_ins_ports_cells[] = {
-    "Port",   "Id",   "Pins",                               /* heading */
-    "Main",   "0x01", "alias of USB 1 or UART 1",           /* row 1 */
-    "UART 1", "0x11", "connector pins 4 (RxD) and 5 (TxD)", /* row 2 */
-    "UART 2", "0x12", "GPIO 1 and GPIO 2",                  /* row 3 */
-    "UART 3", "0x13", "GPIO 3 and GPIO 4",                  /* row 4 */
-    "USB 1",  "0x21", "connector pins 1 and 2",             /* row 5 */
-    "USB 2",  "0x22", "connector pins 1 and 2",             /* row 6 */
-};
-
-static const char *const cv7_gnss_ins_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cv7_gnss_ins_gpio_pins_cells[] = {
-    "Pin",
-    "Connector pin",
-    "Features",
-    "UART", /* heading */
-    "1",
-    "7",
-    "GPIO, PPS, timestamp, UART",
-    "UART 2", /* row 1 */
-    "2",
-    "9",
-    "GPIO, PPS*, timestamp, UART",
-    "UART 2", /* row 2 */
-    "3",
-    "6",
-    "GPIO, PPS*, timestamp, UART",
-    "UART 3", /* row 3 */
-    "4",
-    "10",
-    "GPIO, PPS*, timestamp, UART",
-    "UART 3", /* row 4 */
-};
-
-static const char *const cv7_gnss_ins_gpio_behaviors_cells[] = {
-    "Feature",       "Behavior",
-    "Pins",          "Pin modes", /* heading */
-    "unused (0)",    "unused (0)",
-    "1 to 4",        "none", /* row 1 */
-    "gpio (1)",      "input (1)",
-    "1 to 4",        "pull-up or pull-down", /* row 2 */
-    "gpio (1)",      "output low (2)",
-    "1 to 4",        "open drain, optionally with pull-up", /* row 3 */
-    "gpio (1)",      "output high (3)",
-    "1 to 4",        "open drain, optionally with pull-up", /* row 4 */
-    "pps (2)",       "input (1)",
-    "1; 2 to 4*",    "none", /* row 5 */
-    "pps (2)",       "output (2)",
-    "1; 2 to 4*",    "none", /* row 6 */
-    "timestamp (4)", "rising (1)",
-    "1 to 4",        "pull-up or pull-down", /* row 7 */
-    "timestamp (4)", "falling (2)",
-    "1 to 4",        "pull-up or pull-down", /* row 8 */
-    "timestamp (4)", "either (3)",
-    "1 to 4",        "pull-up or pull-down", /* row 9 */
-    "uart (5)",      "UART 2 transmit (33)",
-    "1 and 2",       "open drain, optionally with pull-up", /* row 10 */
-    "uart (5)",      "UART 2 receive (34)",
-    "1 and 2",       "pull-up or pull-down", /* row 11 */
-    "uart (5)",      "UART 3 transmit (49)",
-    "3 and 4",       "open drain, optionally with pull-up", /* row 12 */
-    "uart (5)",      "UART 3 receive (50)",
-    "3 and 4",       "pull-up or pull-down", /* row 13 */
-};
-
-static const char *const cv7_gnss_ins_nmea_output_cells[] = {
-    "Sentence",
-    "Contents",
-    "Talkers",
-    "Sources", /* heading */
-    "GGA",
-    "GNSS fix",
-    "GN, GP, GA, GL",
-    "GNSS, filter", /* row 1 */
-    "GLL",
-    "Latitude and longitude",
-    "GN, GP, GA, GL",
-    "GNSS, filter", /* row 2 */
-    "GSV",
-    "Satellites in view",
-    "by constellation",
-    "GNSS", /* row 3 */
-    "RMC",
-    "Recommended minimum",
-    "GN, GP, GA, GL",
-    "GNSS, filter", /* row 4 */
-    "VTG",
-    "Course and speed over ground",
-    "GN, GP, GA, GL",
-    "GNSS, filter", /* row 5 */
-    "HDT",
-    "True heading",
-    "GN, GP, GA, GL",
-    "GNSS, filter", /* row 6 */
-    "ZDA",
-    "Time and date",
-    "GN, GP, GA, GL",
-    "GNSS", /* row 7 */
-    "GST",
-    "Error statistics",
-    "GN, GP, GA, GL",
-    "GNSS, filter", /* row 8 */
-    "PMSRA",
-    "Euler angles",
-    "proprietary",
-    "filter", /* row 9 */
-    "PMSRR",
-    "Angular rate and acceleration",
-    "proprietary",
-    "sensor", /* row 10 */
-};
-
-static const char *const cv7_gnss_ins_rtcm_input_cells[] = {
-    "Contents",
-    "Messages", /* heading */
-    "GPS observations",
-    "1074, 1075, 1077", /* row 1 */
-    "GLONASS observations",
-    "1084, 1085, 1087", /* row 2 */
-    "Galileo observations",
-    "1094, 1095, 1097", /* row 3 */
-    "BeiDou observations",
-    "1124, 1125, 1127", /* row 4 */
-    "Station coordinates",
-    "1005, 1006", /* row 5 */
-    "Antenna description",
-    "1007", /* row 6 */
-    "Antenna and receiver description",
-    "1033", /* row 7 */
-    "GLONASS biases",
-    "1230", /* row 8 */
-};
-
-static const char *const cv7_gnss_ins_gnss_signals_cells[] = {
-    "Constellation", "Choices",           /* heading */
-    "GPS",           "none, L1, L1 + L5", /* row 1 */
-    "GLONASS",       "none, L1",          /* row 2 */
-    "Galileo",       "none, L1 + L5",     /* row 3 */
-    "BeiDou",        "none, L1, L1 + L5", /* row 4 */
-};
-
-static const char *const cv7_gnss_ins_sensor_ranges_cells[] = {
-    "Sensor",        "Setting", "Range",     /* heading */
-    "Accelerometer", "2",       "4 g",       /* row 1 */
-    "Accelerometer", "3",       "8 g",       /* row 2 */
-    "Accelerometer", "4",       "16 g",      /* row 3 */
-    "Gyroscope",     "2",       "250 deg/s", /* row 4 */
-};
-
-static const struct mip_profile_note cv7_gnss_ins_notes[] = {
-    {"ports", "Ports",
-     "The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always "
-     "enabled on it. The others must be enabled first. All ports stream the same data; replies to "
-     "polls go to the port that sent the poll.",
-     cv7_gnss_ins_ports_cells, 7, 3},
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter.", cv7_gnss_ins_anti_aliasing_cells, 8, 3},
-    {"gpio_pins", "GPIO pins",
-     "Features of each pin; all are unused by default. The encoder feature is not available. The "
-     "manual marks PPS on pins 2 to 4 with an asterisk, which it does not explain.",
-     cv7_gnss_ins_gpio_pins_cells, 5, 4},
-    {"gpio_behaviors", "GPIO behaviors and pin modes",
-     "Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot "
-     "have the same direction of the same UART. PPS output from an internal receiver is always "
-     "push-pull. The asterisk is the same as in the table of pin features.",
-     cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
-    {"nmea_output", "NMEA output",
-     "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) "
-     "and GL (GLONASS). A sentence is sent only while its data is valid. A GNSS source has a base "
-     "rate of 5 Hz, so its decimation must be 3 or more.",
-     cv7_gnss_ins_nmea_output_cells, 11, 4},
-    {"nmea_input", "NMEA input",
-     "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL "
-     "and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a "
-     "UART is configured to receive, on that one only. An epoch is processed when a sentence with "
-     "another time arrives. The manual warns of a known bug of NMEA input; the errata sheet that "
-     "it refers to is not available.",
-     NULL, 0, 0},
-    {"rtcm_input", "RTCM input", "RTCM 3 messages that the GNSS receivers use.",
-     cv7_gnss_ins_rtcm_input_cells, 9, 2},
-    {"gnss_signals", "GNSS signals",
-     "Signals that can be enabled together by `gnss.signal_config`. GPS or Galileo must be "
-     "enabled, and GPS L1 with BeiDou L1 alone is rejected.",
-     cv7_gnss_ins_gnss_signals_cells, 5, 2},
-    {"sensor_ranges", "Sensor ranges",
-     "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope "
-     "column is cut off; `3dm.get_calibrated_sensor_ranges` returns the settings that the device "
-     "supports.",
-     cv7_gnss_ins_sensor_ranges_cells, 5, 3},
-    {"pps", "Pulse per second",
-     "Without a valid PPS the filter neither starts nor accepts measurements. A PPS output has a "
-     "duty cycle of 50 %; each second begins at its rising edge.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv7_gnss_ins_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -1318,8 +875,6 @@ static const struct mip_profile_reading cv7_gnss_ins_readings[] = {
     {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
     {"system_data.built_in_test.result", "cv7_continuous_built_in_test"},
 };
-
-static const uint8_t cv7_gnss_ins_ack_codes[] = {0, 1, 2, 3, 4, 5, 6};
 
 const struct mip_profile mip_profile_cv7_gnss_ins = {
     "3dm-cv7-gnss-ins",
@@ -1336,11 +891,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     7,    /* base rates */
-    6,    /* ports */
-    24,   /* limits */
-    10,   /* notes */
     8,    /* readings */
-    7,    /* acknowledge codes */
     NULL,
     NULL,
     cv7_gnss_ins_fields,
@@ -1348,11 +899,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
     NULL,
     NULL,
     cv7_gnss_ins_rates,
-    cv7_gnss_ins_ports,
-    cv7_gnss_ins_limits,
-    cv7_gnss_ins_notes,
     cv7_gnss_ins_readings,
-    cv7_gnss_ins_ack_codes,
 };
 
 /* 3DM-CV7-INS. */
@@ -1480,52 +1027,6 @@ static const struct mip_profile_rate cv7_ins_rates[] = {
     {0x94, 0},
 };
 
-static const struct mip_profile_port cv7_ins_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},   {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"UART 2", 0x12, 0, NULL, "MIP", "MIP"}, {"UART 3", 0x13, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit cv7_ins_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-    {"antenna_offset", 10, "m", "Maximum distance of the antenna from the device.", ""},
-};
-
-static const char *const cv7_ins_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cv7_ins_gpio_pins_cells[] = {
-    "Pin", "Features",                                /* heading */
-    "1",   "GPIO, PPS, timestamp, UART 2",            /* row 1 */
-    "2",   "GPIO, PPS, timestamp, UART 2",            /* row 2 */
-    "3",   "GPIO, PPS, timestamp, UART 3, encoder A", /* row 3 */
-    "4",   "GPIO, PPS, timestamp, UART 3, encoder B", /* row 4 */
-};
-
-static const struct mip_profile_note cv7_ins_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     cv7_ins_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the "
-     "pins GPIO 1 and 2, UART 3 on GPIO 3 and 4.",
-     NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cv7_ins_gpio_pins_cells,
-     5, 2},
-    {"receivers", "GNSS sets", "The sets 0x94 and 0x95 contain the data of two external receivers.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cv7_ins_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -1551,11 +1052,7 @@ const struct mip_profile mip_profile_cv7_ins = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     1,    /* base rates */
-    5,    /* ports */
-    2,    /* limits */
-    4,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     cv7_ins_incomplete,
     cv7_ins_fields,
@@ -1563,11 +1060,7 @@ const struct mip_profile mip_profile_cv7_ins = {
     cv7_ins_absent_sets,
     NULL,
     cv7_ins_rates,
-    cv7_ins_ports,
-    cv7_ins_limits,
-    cv7_ins_notes,
     cv7_ins_readings,
-    NULL,
 };
 
 /* 3DM-CX5-10. */
@@ -1629,13 +1122,6 @@ static const struct mip_profile_field cx5_10_absent_sets[] = {
     {0x93, 0, "", &cx5_10_evidence[4]},
 };
 
-static const struct mip_profile_note cx5_10_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
-     "`3dm.device_status_diagnostic_imu_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cx5_10_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -1657,11 +1143,7 @@ const struct mip_profile mip_profile_cx5_10 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     4,    /* readings */
-    0,    /* acknowledge codes */
     cx5_10_also,
     cx5_10_incomplete,
     cx5_10_fields,
@@ -1669,11 +1151,7 @@ const struct mip_profile mip_profile_cx5_10 = {
     cx5_10_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cx5_10_notes,
     cx5_10_readings,
-    NULL,
 };
 
 /* 3DM-CX5-15. */
@@ -1770,13 +1248,6 @@ static const struct mip_profile_field cx5_15_absent_sets[] = {
     {0x93, 0, "", &cx5_15_evidence[4]},
 };
 
-static const struct mip_profile_note cx5_15_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cx5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -1801,11 +1272,7 @@ const struct mip_profile mip_profile_cx5_15 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     7,    /* readings */
-    0,    /* acknowledge codes */
     cx5_15_also,
     cx5_15_incomplete,
     cx5_15_fields,
@@ -1813,11 +1280,7 @@ const struct mip_profile mip_profile_cx5_15 = {
     cx5_15_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cx5_15_notes,
     cx5_15_readings,
-    NULL,
 };
 
 /* 3DM-CX5-25. */
@@ -1912,13 +1375,6 @@ static const struct mip_profile_field cx5_25_absent_sets[] = {
     {0x93, 0, "", &cx5_25_evidence[5]},
 };
 
-static const struct mip_profile_note cx5_25_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cx5_25_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -1943,11 +1399,7 @@ const struct mip_profile mip_profile_cx5_25 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     7,    /* readings */
-    0,    /* acknowledge codes */
     cx5_25_also,
     cx5_25_incomplete,
     cx5_25_fields,
@@ -1955,11 +1407,7 @@ const struct mip_profile mip_profile_cx5_25 = {
     cx5_25_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cx5_25_notes,
     cx5_25_readings,
-    NULL,
 };
 
 /* 3DM-CX5-45. */
@@ -2067,13 +1515,6 @@ static const struct mip_profile_field cx5_45_absent_sets[] = {
     {0x92, 0, "", &cx5_45_evidence[8]},
 };
 
-static const struct mip_profile_note cx5_45_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_gnss_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading cx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -2097,11 +1538,7 @@ const struct mip_profile mip_profile_cx5_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     6,    /* readings */
-    0,    /* acknowledge codes */
     cx5_45_also,
     cx5_45_incomplete,
     cx5_45_fields,
@@ -2109,11 +1546,7 @@ const struct mip_profile mip_profile_cx5_45 = {
     cx5_45_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    cx5_45_notes,
     cx5_45_readings,
-    NULL,
 };
 
 /* 3DM-CX7-AHRS. */
@@ -2198,47 +1631,6 @@ static const struct mip_profile_field cx7_ahrs_absent_sets[] = {
     {0x93, 0, "", &cx7_ahrs_evidence[3]},
 };
 
-static const struct mip_profile_port cx7_ahrs_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
-    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit cx7_ahrs_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-};
-
-static const char *const cx7_ahrs_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cx7_ahrs_gpio_pins_cells[] = {
-    "Pin", "Features",             /* heading */
-    "1",   "GPIO, PPS, timestamp", /* row 1 */
-    "2",   "GPIO, PPS, timestamp", /* row 2 */
-    "3",   "GPIO, PPS, timestamp", /* row 3 */
-    "4",   "GPIO, PPS, timestamp", /* row 4 */
-};
-
-static const struct mip_profile_note cx7_ahrs_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     cx7_ahrs_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cx7_ahrs_gpio_pins_cells,
-     5, 2},
-};
-
 static const struct mip_profile_reading cx7_ahrs_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -2264,11 +1656,7 @@ const struct mip_profile mip_profile_cx7_ahrs = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    3,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     cx7_ahrs_incomplete,
     cx7_ahrs_fields,
@@ -2276,11 +1664,7 @@ const struct mip_profile mip_profile_cx7_ahrs = {
     cx7_ahrs_absent_sets,
     NULL,
     NULL,
-    cx7_ahrs_ports,
-    cx7_ahrs_limits,
-    cx7_ahrs_notes,
     cx7_ahrs_readings,
-    NULL,
 };
 
 /* 3DM-CX7-AR. */
@@ -2374,47 +1758,6 @@ static const struct mip_profile_field cx7_ar_absent_sets[] = {
     {0x93, 0, "", &cx7_ar_evidence[3]},
 };
 
-static const struct mip_profile_port cx7_ar_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
-    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit cx7_ar_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-};
-
-static const char *const cx7_ar_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cx7_ar_gpio_pins_cells[] = {
-    "Pin", "Features",             /* heading */
-    "1",   "GPIO, PPS, timestamp", /* row 1 */
-    "2",   "GPIO, PPS, timestamp", /* row 2 */
-    "3",   "GPIO, PPS, timestamp", /* row 3 */
-    "4",   "GPIO, PPS, timestamp", /* row 4 */
-};
-
-static const struct mip_profile_note cx7_ar_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     cx7_ar_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cx7_ar_gpio_pins_cells,
-     5, 2},
-};
-
 static const struct mip_profile_reading cx7_ar_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -2440,11 +1783,7 @@ const struct mip_profile mip_profile_cx7_ar = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    3,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     cx7_ar_incomplete,
     cx7_ar_fields,
@@ -2452,11 +1791,7 @@ const struct mip_profile mip_profile_cx7_ar = {
     cx7_ar_absent_sets,
     NULL,
     NULL,
-    cx7_ar_ports,
-    cx7_ar_limits,
-    cx7_ar_notes,
     cx7_ar_readings,
-    NULL,
 };
 
 /* 3DM-CX7-INS. */
@@ -2560,49 +1895,6 @@ static const struct mip_profile_field cx7_ins_absent_sets[] = {
     {0x93, 0, "", &cx7_ins_evidence[3]},
 };
 
-static const struct mip_profile_port cx7_ins_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},   {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"UART 2", 0x12, 0, NULL, "MIP", "MIP"}, {"UART 3", 0x13, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit cx7_ins_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-};
-
-static const char *const cx7_ins_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const cx7_ins_gpio_pins_cells[] = {
-    "Pin", "Features",                                /* heading */
-    "1",   "GPIO, PPS, timestamp, UART 2",            /* row 1 */
-    "2",   "GPIO, PPS, timestamp, UART 2",            /* row 2 */
-    "3",   "GPIO, PPS, timestamp, UART 3, encoder A", /* row 3 */
-    "4",   "GPIO, PPS, timestamp, UART 3, encoder B", /* row 4 */
-};
-
-static const struct mip_profile_note cx7_ins_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     cx7_ins_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the "
-     "pins GPIO 1 and 2, UART 3 on GPIO 3 and 4.",
-     NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cx7_ins_gpio_pins_cells,
-     5, 2},
-};
-
 static const struct mip_profile_reading cx7_ins_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -2628,11 +1920,7 @@ const struct mip_profile mip_profile_cx7_ins = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    5,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     cx7_ins_incomplete,
     cx7_ins_fields,
@@ -2640,11 +1928,7 @@ const struct mip_profile mip_profile_cx7_ins = {
     cx7_ins_absent_sets,
     NULL,
     NULL,
-    cx7_ins_ports,
-    cx7_ins_limits,
-    cx7_ins_notes,
     cx7_ins_readings,
-    NULL,
 };
 
 /* 3DM-DH3. */
@@ -2670,7 +1954,7 @@ static const struct mip_profile_reading dh3_readings[] = {
 };
 
 const struct mip_profile mip_profile_dh3 = {
-    "3dm-dh3", "3DM-DH3",      "",           "Device of generation 3.",
+    "3dm-dh3", "3DM-DH3",      "",         "Device of generation 3.",
     6219, /* model number */
     3,    /* generation */
     0,    /* other names */
@@ -2680,14 +1964,9 @@ const struct mip_profile mip_profile_dh3 = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
-    NULL,      dh3_incomplete, dh3_fields,   NULL,
-    NULL,      NULL,           NULL,         NULL,
-    NULL,      NULL,           dh3_readings, NULL,
+    NULL,      dh3_incomplete, dh3_fields, NULL,
+    NULL,      NULL,           NULL,       dh3_readings,
 };
 
 /* 3DM-GQ4-45. */
@@ -2754,18 +2033,6 @@ static const struct mip_profile_field gq4_45_absent_sets[] = {
     {0x92, 0, "", &gq4_45_evidence[3]},
 };
 
-static const struct mip_profile_note gq4_45_notes[] = {
-    {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
-     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
-     "the 3DM-RQ1-45.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_gq4_45_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gq4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -2785,11 +2052,7 @@ const struct mip_profile mip_profile_gq4_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    2,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gq4_45_incomplete,
     gq4_45_fields,
@@ -2797,11 +2060,7 @@ const struct mip_profile mip_profile_gq4_45 = {
     gq4_45_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    gq4_45_notes,
     gq4_45_readings,
-    NULL,
 };
 
 /* 3DM-GQ7-GNSS/INS. */
@@ -2933,63 +2192,6 @@ static const struct mip_profile_rate gq7_rates[] = {
     {0x80, 1000}, {0x82, 1000}, {0xA0, 1000}, {0x91, 2}, {0x92, 2}, {0x93, 0},
 };
 
-static const uint32_t gq7_baud_rates_1[] = {115200, 230400, 460800, 921600};
-
-static const struct mip_profile_port gq7_ports[] = {
-    {"Main", 0x01, 4, gq7_baud_rates_1, "MIP, NMEA", "MIP, NMEA"},
-    {"Aux", 0x02, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit gq7_limits[] = {
-    {"nmea_rate", 10, "Hz", "Maximum rate of an NMEA sentence, according to MSCL.", ""},
-};
-
-static const char *const gq7_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const gq7_gpio_pins_cells[] = {
-    "Pin", "Connector pin", "Features",             /* heading */
-    "1",   "primary 7",     "GPIO, PPS, encoder A", /* row 1 */
-    "2",   "primary 9",     "GPIO, encoder B",      /* row 2 */
-    "3",   "auxiliary 7",   "GPIO, PPS",            /* row 3 */
-    "4",   "auxiliary 9",   "GPIO",                 /* row 4 */
-};
-
-static const char *const gq7_gnss_signals_cells[] = {
-    "Constellation", "Choices",            /* heading */
-    "GPS",           "none, L1 C/A + L2C", /* row 1 */
-    "GLONASS",       "none, L1 + L2",      /* row 2 */
-    "Galileo",       "none, E1 + E5b",     /* row 3 */
-    "BeiDou",        "none, B1 + B2",      /* row 4 */
-};
-
-static const struct mip_profile_note gq7_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     gq7_anti_aliasing_cells, 8, 3},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gq7_gpio_pins_cells, 5,
-     3},
-    {"nmea_output", "NMEA output",
-     "Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.", NULL,
-     0, 0},
-    {"gnss_signals", "GNSS signals",
-     "Signals that can be enabled together by `gnss.signal_config`, according to MSCL.",
-     gq7_gnss_signals_cells, 5, 2},
-    {"receivers", "GNSS sets",
-     "The set 0x91 belongs to the first receiver and 0x92 to the second; 0x93 contains the RTK "
-     "corrections.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gq7_readings[] = {
     {"base.built_in_test_response.result", "cv7_built_in_test"},
     {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
@@ -3000,10 +2202,8 @@ static const struct mip_profile_reading gq7_readings[] = {
 };
 
 const struct mip_profile mip_profile_gq7 = {
-    "3dm-gq7",
-    "3DM-GQ7-GNSS/INS",
-    "3dm-gq7",
-    "Inertial navigation system with two GNSS receivers.",
+    "3dm-gq7",  "3DM-GQ7-GNSS/INS",
+    "3dm-gq7",  "Inertial navigation system with two GNSS receivers.",
     6284, /* model number */
     7,    /* generation */
     1,    /* other names */
@@ -3013,23 +2213,11 @@ const struct mip_profile mip_profile_gq7 = {
     0,    /* absent sets */
     6,    /* fields of some firmware */
     6,    /* base rates */
-    2,    /* ports */
-    1,    /* limits */
-    5,    /* notes */
     6,    /* readings */
-    0,    /* acknowledge codes */
-    gq7_also,
-    gq7_incomplete,
-    gq7_fields,
-    NULL,
-    NULL,
-    gq7_firmware,
-    gq7_rates,
-    gq7_ports,
-    gq7_limits,
-    gq7_notes,
-    gq7_readings,
-    NULL,
+    gq7_also,   gq7_incomplete,
+    gq7_fields, NULL,
+    NULL,       gq7_firmware,
+    gq7_rates,  gq7_readings,
 };
 
 /* 3DM-GV7-AHRS. */
@@ -3118,45 +2306,6 @@ static const struct mip_profile_field gv7_ahrs_absent_sets[] = {
     {0x93, 0, "", &gv7_ahrs_evidence[5]},
 };
 
-static const struct mip_profile_port gv7_ahrs_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
-    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit gv7_ahrs_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-};
-
-static const char *const gv7_ahrs_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const gv7_ahrs_gpio_pins_cells[] = {
-    "Pin", "Features",             /* heading */
-    "1",   "GPIO, PPS, timestamp", /* row 1 */
-    "2",   "GPIO, PPS, timestamp", /* row 2 */
-};
-
-static const struct mip_profile_note gv7_ahrs_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     gv7_ahrs_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gv7_ahrs_gpio_pins_cells,
-     3, 2},
-};
-
 static const struct mip_profile_reading gv7_ahrs_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -3182,11 +2331,7 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    3,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gv7_ahrs_incomplete,
     gv7_ahrs_fields,
@@ -3194,11 +2339,7 @@ const struct mip_profile mip_profile_gv7_ahrs = {
     gv7_ahrs_absent_sets,
     NULL,
     NULL,
-    gv7_ahrs_ports,
-    gv7_ahrs_limits,
-    gv7_ahrs_notes,
     gv7_ahrs_readings,
-    NULL,
 };
 
 /* 3DM-GV7-AR. */
@@ -3296,45 +2437,6 @@ static const struct mip_profile_field gv7_ar_absent_sets[] = {
     {0x93, 0, "", &gv7_ar_evidence[5]},
 };
 
-static const struct mip_profile_port gv7_ar_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
-    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit gv7_ar_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-};
-
-static const char *const gv7_ar_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const gv7_ar_gpio_pins_cells[] = {
-    "Pin", "Features",             /* heading */
-    "1",   "GPIO, PPS, timestamp", /* row 1 */
-    "2",   "GPIO, PPS, timestamp", /* row 2 */
-};
-
-static const struct mip_profile_note gv7_ar_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     gv7_ar_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1.", NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gv7_ar_gpio_pins_cells,
-     3, 2},
-};
-
 static const struct mip_profile_reading gv7_ar_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -3360,11 +2462,7 @@ const struct mip_profile mip_profile_gv7_ar = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    3,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gv7_ar_incomplete,
     gv7_ar_fields,
@@ -3372,11 +2470,7 @@ const struct mip_profile mip_profile_gv7_ar = {
     gv7_ar_absent_sets,
     NULL,
     NULL,
-    gv7_ar_ports,
-    gv7_ar_limits,
-    gv7_ar_notes,
     gv7_ar_readings,
-    NULL,
 };
 
 /* 3DM-GV7-INS. */
@@ -3484,48 +2578,6 @@ static const struct mip_profile_field gv7_ins_absent_sets[] = {
     {0x93, 0, "", &gv7_ins_evidence[5]},
 };
 
-static const struct mip_profile_port gv7_ins_ports[] = {
-    {"Main", 0x01, 0, NULL, "MIP", "MIP"},
-    {"UART 1", 0x11, 0, NULL, "MIP", "MIP"},
-    {"UART 2", 0x12, 0, NULL, "MIP", "MIP"},
-    {"USB 1", 0x21, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit gv7_ins_limits[] = {
-    {"aiding_frames", 4, "",
-     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
-};
-
-static const char *const gv7_ins_anti_aliasing_cells[] = {
-    "Set",  "Descriptor", "Data",                     /* heading */
-    "0x80", "0x04",       "Scaled accel",             /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
-    "0x80", "0x06",       "Scaled mag",               /* row 3 */
-    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
-    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
-    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
-    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
-};
-
-static const char *const gv7_ins_gpio_pins_cells[] = {
-    "Pin", "Features",                     /* heading */
-    "1",   "GPIO, PPS, timestamp, UART 2", /* row 1 */
-    "2",   "GPIO, PPS, timestamp, UART 2", /* row 2 */
-};
-
-static const struct mip_profile_note gv7_ins_notes[] = {
-    {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that `3dm.low_pass_filter` can filter on the 3DM-CV7 and the 3DM-GQ7, and so probably "
-     "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
-     gv7_ins_anti_aliasing_cells, 8, 3},
-    {"ports", "Ports",
-     "The main port is an alias of USB 1 if that is connected, or else of UART 1. UART 2 is on the "
-     "pins GPIO 1 and 2.",
-     NULL, 0, 0},
-    {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", gv7_ins_gpio_pins_cells,
-     3, 2},
-};
-
 static const struct mip_profile_reading gv7_ins_readings[] = {
     {"base.comm_speed.port", "comm_interface"},
     {"base.built_in_test_response.result", "cv7_built_in_test"},
@@ -3551,11 +2603,7 @@ const struct mip_profile mip_profile_gv7_ins = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    4,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     8,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gv7_ins_incomplete,
     gv7_ins_fields,
@@ -3563,11 +2611,7 @@ const struct mip_profile mip_profile_gv7_ins = {
     gv7_ins_absent_sets,
     NULL,
     NULL,
-    gv7_ins_ports,
-    gv7_ins_limits,
-    gv7_ins_notes,
     gv7_ins_readings,
-    NULL,
 };
 
 /* 3DM-GX3-15. */
@@ -3634,11 +2678,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx3_15_incomplete,
     gx3_15_fields,
@@ -3646,11 +2686,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     gx3_15_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    NULL,
     gx3_15_readings,
-    NULL,
 };
 
 /* 3DM-GX3-25. */
@@ -3734,11 +2770,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx3_25_incomplete,
     gx3_25_fields,
@@ -3746,11 +2778,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     gx3_25_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    NULL,
     gx3_25_readings,
-    NULL,
 };
 
 /* 3DM-GX3-35. */
@@ -3797,10 +2825,6 @@ static const struct mip_profile_field gx3_35_absent_sets[] = {
     {0x92, 0, "", &gx3_35_evidence[3]},
 };
 
-static const struct mip_profile_note gx3_35_notes[] = {
-    {"receiver", "Receiver", "The GNSS receiver is made by u-blox.", NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx3_35_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -3820,11 +2844,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx3_35_incomplete,
     gx3_35_fields,
@@ -3832,11 +2852,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     gx3_35_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    gx3_35_notes,
     gx3_35_readings,
-    NULL,
 };
 
 /* 3DM-GX3-45. */
@@ -3915,11 +2931,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx3_45_incomplete,
     gx3_45_fields,
@@ -3927,11 +2939,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     gx3_45_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    NULL,
     gx3_45_readings,
-    NULL,
 };
 
 /* 3DM-GX4-15. */
@@ -4013,18 +3021,6 @@ static const struct mip_profile_field gx4_15_absent_sets[] = {
     {0x93, 0, "", &gx4_15_evidence[2]},
 };
 
-static const struct mip_profile_note gx4_15_notes[] = {
-    {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
-     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
-     "the 3DM-RQ1-45.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
-     "`3dm.device_status_diagnostic_gx4_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx4_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -4048,11 +3044,7 @@ const struct mip_profile mip_profile_gx4_15 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    2,    /* notes */
     6,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx4_15_incomplete,
     gx4_15_fields,
@@ -4060,11 +3052,7 @@ const struct mip_profile mip_profile_gx4_15 = {
     gx4_15_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    gx4_15_notes,
     gx4_15_readings,
-    NULL,
 };
 
 /* 3DM-GX4-25. */
@@ -4150,18 +3138,6 @@ static const struct mip_profile_rate gx4_25_rates[] = {
     {0x82, 500},
 };
 
-static const struct mip_profile_note gx4_25_notes[] = {
-    {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
-     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
-     "the 3DM-RQ1-45.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
-     "`3dm.device_status_diagnostic_gx4_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx4_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -4185,11 +3161,7 @@ const struct mip_profile mip_profile_gx4_25 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     2,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    2,    /* notes */
     6,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx4_25_incomplete,
     gx4_25_fields,
@@ -4197,11 +3169,7 @@ const struct mip_profile mip_profile_gx4_25 = {
     gx4_25_absent_sets,
     NULL,
     gx4_25_rates,
-    NULL,
-    NULL,
-    gx4_25_notes,
     gx4_25_readings,
-    NULL,
 };
 
 /* 3DM-GX4-45. */
@@ -4277,18 +3245,6 @@ static const struct mip_profile_field gx4_45_absent_sets[] = {
     {0x92, 0, "", &gx4_45_evidence[3]},
 };
 
-static const struct mip_profile_note gx4_45_notes[] = {
-    {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
-     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
-     "the 3DM-RQ1-45.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_gnss_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -4313,11 +3269,7 @@ const struct mip_profile mip_profile_gx4_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    2,    /* notes */
     7,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx4_45_incomplete,
     gx4_45_fields,
@@ -4325,11 +3277,7 @@ const struct mip_profile mip_profile_gx4_45 = {
     gx4_45_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    gx4_45_notes,
     gx4_45_readings,
-    NULL,
 };
 
 /* 3DM-GX4-IMU. */
@@ -4371,18 +3319,10 @@ const struct mip_profile mip_profile_gx4_imu = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     0,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     gx4_imu_incomplete,
     gx4_imu_fields,
-    NULL,
-    NULL,
-    NULL,
-    NULL,
     NULL,
     NULL,
     NULL,
@@ -4479,55 +3419,6 @@ static const struct mip_profile_rate gx5_15_rates[] = {
     {0x82, 500},
 };
 
-static const uint32_t gx5_15_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
-
-static const struct mip_profile_port gx5_15_ports[] = {
-    {"UART 1", 0x00, 6, gx5_15_baud_rates_1, "MIP", "MIP"},
-    {"USB", 0x00, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit gx5_15_limits[] = {
-    {"low_pass_cutoff", 250, "Hz", "Maximum cutoff frequency of the low-pass filters.", ""},
-    {"external_heading_rate", 20, "Hz", "Maximum rate of external heading updates.", ""},
-    {"zero_angular_rate_update_rate", 10, "Hz",
-     "Maximum rate of commanded zero angular rate updates.", ""},
-    {"baud_rate_delay", 250, "ms",
-     "Time from the ACK of a new baud rate until the device replies to commands at that rate.", ""},
-};
-
-static const char *const gx5_15_low_pass_filter_cells[] = {
-    "Set",  "Descriptor", "Data",            /* heading */
-    "0x80", "0x04",       "Scaled accel",    /* row 1 */
-    "0x80", "0x05",       "Scaled gyro",     /* row 2 */
-    "0x80", "0x17",       "Scaled pressure", /* row 3 */
-};
-
-static const struct mip_profile_note gx5_15_notes[] = {
-    {"base_rates", "Base rates",
-     "The manual states both 1000 and 500 for each stream. Read the base rates from the device "
-     "before computing a decimation.",
-     NULL, 0, 0},
-    {"frames", "Frame of the sensor data",
-     "`filter.sensor_to_vehicle_rotation_euler` rotates scaled acceleration and angular rate, "
-     "delta theta and delta velocity, as well as the outputs of the estimation filter other than "
-     "the gyroscope bias. Until it is set, they are in the sensor frame. It does not rotate the "
-     "outputs of the complementary filter.",
-     NULL, 0, 0},
-    {"low_pass_filter", "Low-pass filter", "Data that `3dm.imu_low_pass_filter` can select.",
-     gx5_15_low_pass_filter_cells, 4, 3},
-    {"uart", "UART",
-     "The default baud rate is 115200. There is no handshake; data that does not fit is dropped.",
-     NULL, 0, 0},
-    {"time", "Time synchronization",
-     "Connect the PPS signal to pin 7 of the connector, and send `base.gps_time_update` once per "
-     "second. The filter and sensor timestamps are then synchronized with them.",
-     NULL, 0, 0},
-    {"direct_mode", "Direct mode",
-     "`system.comm_mode` connects the port to the internal inertial sensor. Meanwhile, only that "
-     "command and `3dm.device_status` are available.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -4537,8 +3428,6 @@ static const struct mip_profile_reading gx5_15_readings[] = {
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
-
-static const uint8_t gx5_15_ack_codes[] = {0, 1, 2, 3, 4, 5};
 
 const struct mip_profile mip_profile_gx5_15 = {
     "3dm-gx5-15",
@@ -4554,11 +3443,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     2,    /* base rates */
-    2,    /* ports */
-    4,    /* limits */
-    6,    /* notes */
     7,    /* readings */
-    6,    /* acknowledge codes */
     gx5_15_also,
     NULL,
     gx5_15_fields,
@@ -4566,11 +3451,7 @@ const struct mip_profile mip_profile_gx5_15 = {
     gx5_15_absent_sets,
     NULL,
     gx5_15_rates,
-    gx5_15_ports,
-    gx5_15_limits,
-    gx5_15_notes,
     gx5_15_readings,
-    gx5_15_ack_codes,
 };
 
 /* 3DM-GX5-25. */
@@ -4686,13 +3567,6 @@ static const struct mip_profile_field gx5_25_absent_sets[] = {
     {0x93, 0, "", &gx5_25_evidence[10]},
 };
 
-static const struct mip_profile_note gx5_25_notes[] = {
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx5_25_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
@@ -4717,11 +3591,7 @@ const struct mip_profile mip_profile_gx5_25 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     7,    /* readings */
-    0,    /* acknowledge codes */
     gx5_25_also,
     gx5_25_incomplete,
     gx5_25_fields,
@@ -4729,11 +3599,7 @@ const struct mip_profile mip_profile_gx5_25 = {
     gx5_25_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    gx5_25_notes,
     gx5_25_readings,
-    NULL,
 };
 
 /* 3DM-GX5-35. */
@@ -4796,23 +3662,6 @@ static const struct mip_profile_rate gx5_35_rates[] = {
     {0x81, 4},
 };
 
-static const struct mip_profile_limit gx5_35_limits[] = {
-    {"reserved_gnss_channels", 32, "", "Sum of the channels that constellations reserve.", ""},
-};
-
-static const struct mip_profile_note gx5_35_notes[] = {
-    {"receiver", "Receiver",
-     "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou cannot be used together.", NULL, 0, 0},
-    {"streams", "Streams",
-     "The manual lists the selectors of the sensor and the filter stream, though the device has no "
-     "filter.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "It replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_gnss_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx5_35_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -4833,11 +3682,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     2,    /* base rates */
-    0,    /* ports */
-    1,    /* limits */
-    3,    /* notes */
     3,    /* readings */
-    0,    /* acknowledge codes */
     gx5_35_also,
     gx5_35_incomplete,
     gx5_35_fields,
@@ -4845,11 +3690,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     gx5_35_absent_sets,
     NULL,
     gx5_35_rates,
-    NULL,
-    gx5_35_limits,
-    gx5_35_notes,
     gx5_35_readings,
-    NULL,
 };
 
 /* 3DM-GX5-45. */
@@ -4972,34 +3813,6 @@ static const struct mip_profile_rate gx5_45_rates[] = {
     {0x82, 500},
 };
 
-static const uint32_t gx5_45_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
-
-static const struct mip_profile_port gx5_45_ports[] = {
-    {"UART 1", 0x00, 6, gx5_45_baud_rates_1, "MIP", "MIP"},
-    {"USB", 0x00, 0, NULL, "MIP", "MIP"},
-};
-
-static const struct mip_profile_limit gx5_45_limits[] = {
-    {"baud_rate_delay", 250, "ms",
-     "Time from the ACK of a new baud rate until the device replies to commands at that rate.", ""},
-    {"rtcm_chunk", 253, "byte", "Maximum number of RTCM bytes in one field.", ""},
-};
-
-static const struct mip_profile_note gx5_45_notes[] = {
-    {"rtcm", "RTCM input",
-     "The command with the descriptor 0x20 of the set `3dm` accepts RTCM 2.3; its layout is not "
-     "known. The receiver uses the messages 1, 2, 3 and 9.",
-     NULL, 0, 0},
-    {"functions", "Read of all settings",
-     "According to the manual, `3dm.device_settings` can also be read, which returns the settings "
-     "of all commands. The response is not documented, so the read is not defined here.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_gnss_response`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading gx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -5023,11 +3836,7 @@ const struct mip_profile mip_profile_gx5_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     3,    /* base rates */
-    2,    /* ports */
-    2,    /* limits */
-    3,    /* notes */
     6,    /* readings */
-    0,    /* acknowledge codes */
     gx5_45_also,
     gx5_45_incomplete,
     gx5_45_fields,
@@ -5035,11 +3844,7 @@ const struct mip_profile mip_profile_gx5_45 = {
     gx5_45_absent_sets,
     NULL,
     gx5_45_rates,
-    gx5_45_ports,
-    gx5_45_limits,
-    gx5_45_notes,
     gx5_45_readings,
-    NULL,
 };
 
 /* 3DM-MV5-AR. */
@@ -5081,25 +3886,6 @@ static const struct mip_profile_field mv5_ar_absent_sets[] = {
     {0x93, 0, "", &mv5_ar_evidence[1]},
 };
 
-static const char *const mv5_ar_j1939_cells[] = {
-    "Message",        "PGN",    "Signals",
-    "Offset", /* heading */
-    "Slope sensor 2", "0xF029", "pitch (bits 0 to 23), roll (24 to 47)",
-    "-250 deg", /* row 1 */
-    "Angular rate",   "0xF02A", "pitch (0 to 15), roll (16 to 31), yaw (32 to 47)",
-    "-250 deg/s", /* row 2 */
-    "Acceleration",   "0xF02D", "lateral (0 to 15), longitudinal (16 to 31), vertical (32 to 47)",
-    "-320 m/s^2", /* row 3 */
-};
-
-static const struct mip_profile_note mv5_ar_notes[] = {
-    {"j1939", "J1939",
-     "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a "
-     "third-party driver. The resolution is 1/32768 deg for angles, 1/128 deg/s for rates and 0.01 "
-     "m/s^2 for accelerations.",
-     mv5_ar_j1939_cells, 4, 4},
-};
-
 static const struct mip_profile_reading mv5_ar_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -5119,11 +3905,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     2,    /* readings */
-    0,    /* acknowledge codes */
     mv5_ar_also,
     mv5_ar_incomplete,
     mv5_ar_fields,
@@ -5131,11 +3913,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     mv5_ar_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    mv5_ar_notes,
     mv5_ar_readings,
-    NULL,
 };
 
 /* 3DM-RQ1-45-LT. */
@@ -5205,22 +3983,6 @@ static const struct mip_profile_field rq1_45_lt_absent_sets[] = {
     {0x92, 0, "", &rq1_45_lt_evidence[3]},
 };
 
-static const struct mip_profile_note rq1_45_lt_notes[] = {
-    {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
-     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
-     "the 3DM-RQ1-45.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_rq1_45_response`.",
-     NULL, 0, 0},
-    {"absent", "What it lacks",
-     "According to the table of contents of the manual, it has neither `base.gps_time_update` nor "
-     "`3dm.complementary_filter`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading rq1_45_lt_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -5241,11 +4003,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    3,    /* notes */
     3,    /* readings */
-    0,    /* acknowledge codes */
     rq1_45_lt_also,
     rq1_45_lt_incomplete,
     rq1_45_lt_fields,
@@ -5253,11 +4011,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     rq1_45_lt_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    rq1_45_lt_notes,
     rq1_45_lt_readings,
-    NULL,
 };
 
 /* 3DM-RQ1-45-ST. */
@@ -5325,22 +4079,6 @@ static const struct mip_profile_field rq1_45_st_absent_sets[] = {
     {0x92, 0, "", &rq1_45_st_evidence[3]},
 };
 
-static const struct mip_profile_note rq1_45_st_notes[] = {
-    {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
-     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
-     "the 3DM-RQ1-45.",
-     NULL, 0, 0},
-    {"device_status", "Device status",
-     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
-     "`3dm.device_status_diagnostic_rq1_45_response`.",
-     NULL, 0, 0},
-    {"absent", "What it lacks",
-     "According to the table of contents of the manual, it has neither `base.gps_time_update` nor "
-     "`3dm.complementary_filter`.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading rq1_45_st_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -5361,11 +4099,7 @@ const struct mip_profile mip_profile_rq1_45_st = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    3,    /* notes */
     3,    /* readings */
-    0,    /* acknowledge codes */
     rq1_45_st_also,
     rq1_45_st_incomplete,
     rq1_45_st_fields,
@@ -5373,11 +4107,7 @@ const struct mip_profile mip_profile_rq1_45_st = {
     rq1_45_st_absent_sets,
     NULL,
     NULL,
-    NULL,
-    NULL,
-    rq1_45_st_notes,
     rq1_45_st_readings,
-    NULL,
 };
 
 /* 3DM-RQ1-IMU. */
@@ -5418,18 +4148,10 @@ const struct mip_profile mip_profile_rq1_imu = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     0,    /* readings */
-    0,    /* acknowledge codes */
     NULL,
     rq1_imu_incomplete,
     rq1_imu_fields,
-    NULL,
-    NULL,
-    NULL,
-    NULL,
     NULL,
     NULL,
     NULL,
@@ -5457,19 +4179,12 @@ static const struct mip_profile_field rtk_fields[] = {
     {0x0F, 0x07, "", &rtk_evidence[0]},      {0x7F, 0x10, "WRSLD", &rtk_evidence[0]},
 };
 
-static const struct mip_profile_note rtk_notes[] = {
-    {"versions", "Versions",
-     "According to MSCL, model numbers that end in 0000 denote version 1, and those that end in "
-     "0100 version 2. Their status words in `rtk.get_status_flags` differ.",
-     NULL, 0, 0},
-};
-
 static const struct mip_profile_reading rtk_readings[] = {
     {"base.built_in_test_response.result", "cv7_built_in_test"},
 };
 
 const struct mip_profile mip_profile_rtk = {
-    "3dm-rtk", "3DM-RTK",      "",           "Modem for GNSS corrections.",
+    "3dm-rtk", "3DM-RTK",      "",         "Modem for GNSS corrections.",
     6285, /* model number */
     7,    /* generation */
     0,    /* other names */
@@ -5479,14 +4194,9 @@ const struct mip_profile mip_profile_rtk = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    1,    /* notes */
     1,    /* readings */
-    0,    /* acknowledge codes */
-    NULL,      rtk_incomplete, rtk_fields,   NULL,
-    NULL,      NULL,           NULL,         NULL,
-    NULL,      rtk_notes,      rtk_readings, NULL,
+    NULL,      rtk_incomplete, rtk_fields, NULL,
+    NULL,      NULL,           NULL,       rtk_readings,
 };
 
 /* DEMOD-DC. */
@@ -5527,18 +4237,10 @@ const struct mip_profile mip_profile_demod_dc = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* ports */
-    0,    /* limits */
-    0,    /* notes */
     0,    /* readings */
-    0,    /* acknowledge codes */
     demod_dc_also,
     demod_dc_incomplete,
     demod_dc_fields,
-    NULL,
-    NULL,
-    NULL,
-    NULL,
     NULL,
     NULL,
     NULL,

@@ -6,7 +6,7 @@
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
- * only; CMakeLists.txt and meson.build do.
+ * only; CMakeLists.txt does.
  */
 #ifndef MIP_EXPORT_H
 #define MIP_EXPORT_H

@@ -70,52 +70,6 @@ struct mip_profile_rate {
     double rate;
 };
 
-/** A port of a device. */
-struct mip_profile_port {
-    /** Its name in the manual. */
-    const char *name;
-    /** The number that commands use; 0 if there is none. */
-    uint8_t id;
-    /** Elements of `baud_rates`. */
-    uint8_t baud_rate_count;
-    /** The baud rates that it supports; NULL if it has none. */
-    const uint32_t *baud_rates;
-    /** The protocols that it receives: "MIP, NMEA". */
-    const char *receives;
-    /** The protocols that it sends. */
-    const char *sends;
-};
-
-/** A limit of a device: a number, and the limited quantity. */
-struct mip_profile_limit {
-    /** Its name. */
-    const char *name;
-    /** The limit itself. */
-    double value;
-    /** Its unit; empty if it has none. */
-    const char *unit;
-    /** The limited quantity. */
-    const char *description;
-    /** The firmware versions that it applies to: ">= 1.0.04"; empty if all. */
-    const char *firmware;
-};
-
-/** A note in words, with a table if it has rows. */
-struct mip_profile_note {
-    /** Its name. */
-    const char *name;
-    /** Its heading. */
-    const char *title;
-    /** Its text. */
-    const char *description;
-    /** The cells of the table, row by row, the heading first. */
-    const char *const *cells;
-    /** Rows of the table, including the heading; 0: there is none. */
-    uint8_t rows;
-    /** Columns of the table. */
-    uint8_t columns;
-};
-
 /** A parameter whose type is specific to the device. */
 struct mip_profile_reading {
     /** The parameter: "filter_data.status.status_flags". */
@@ -152,16 +106,8 @@ struct mip_profile {
     uint8_t firmware_count;
     /** Elements of `rates`. */
     uint8_t rate_count;
-    /** Elements of `ports`. */
-    uint8_t port_count;
-    /** Elements of `limits`. */
-    uint8_t limit_count;
-    /** Elements of `notes`. */
-    uint8_t note_count;
     /** Elements of `readings`. */
     uint8_t reading_count;
-    /** Elements of `ack_codes`. */
-    uint8_t ack_code_count;
     /** Other names. */
     const char *const *also;
     /** Statements on what is unknown about it. If there are any, it may support more than is
@@ -177,16 +123,8 @@ struct mip_profile {
     const struct mip_profile_firmware *firmware;
     /** The rates at which it samples data sets. */
     const struct mip_profile_rate *rates;
-    /** Its ports. */
-    const struct mip_profile_port *ports;
-    /** Its limits. */
-    const struct mip_profile_limit *limits;
-    /** Other statements of the manual about it. */
-    const struct mip_profile_note *notes;
     /** The parameters whose types are specific to it. */
     const struct mip_profile_reading *readings;
-    /** The acknowledge codes that it sends. */
-    const uint8_t *ack_codes;
 };
 
 /** All devices. */
