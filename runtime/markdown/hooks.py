@@ -106,6 +106,7 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
         return content
     if path.startswith(("fields/", "guides/")):
         content = rulers(labelled(content))
+        content = re.sub(r"<p>(?=<img [^>]*assets/guides/)", '<p tabindex="0">', content)  # may scroll, by keys, too
     whole = not WORKBENCH or _TABLES.match(path)
     title, *parts = sections(content if whole else _LEFT_OUT.sub(" ", content))
     if WORKBENCH and path.startswith(("fields/", "devices/", "sets/")):
