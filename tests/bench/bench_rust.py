@@ -52,7 +52,6 @@ ROWS = (
     Measured("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry", "peer_get"),
     Measured("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry", "peer_get"),
     Measured("parse, three fields: `find`", "find", "bare_find"),
-    Measured("parse, three fields: `dispatch!`", "dispatch", "bare_find"),
     Measured("build packets of three fields: `clear`, `push`", "encode_again", "bare_encode_again"),
     Measured("build packets of three fields: a new `PacketBuilder` each", "encode", "bare_encode"),
 )

@@ -7,7 +7,7 @@ mod peer;
 use std::hint::black_box;
 
 use mip_protocol::registry::{visit, Listed, Visitor};
-use mip_protocol::{dispatch, filter_data as filter, packets, sensor, shared, types};
+use mip_protocol::{filter_data as filter, packets, sensor, shared, types};
 use mip_protocol::{AnyField, Field, Packet, PacketBuilder, PacketReader, Parser, RawField};
 
 const CHUNK: usize = 4096;
@@ -147,19 +147,6 @@ fn find(data: &[u8]) -> usize {
             + counted::<sensor::ScaledAccel>(packet)
             + counted::<sensor::ScaledGyro>(packet)
     })
-}
-
-fn dispatched(data: &[u8]) -> usize {
-    let known = |field: &RawField<'_>| {
-        let used = dispatch!(field, {
-            shared::ReferenceTimestamp(value) => Some(black_box(value.nanoseconds)).is_some(),
-            sensor::ScaledAccel(value) => Some(black_box(value.scaled_accel)).is_some(),
-            sensor::ScaledGyro(value) => Some(black_box(value.scaled_gyro)).is_some(),
-            _ => false,
-        });
-        used == Ok(true)
-    };
-    chunks(data, CHUNK, |packet| each(packet, known))
 }
 
 /// Two vectors and a time, which change with each packet.
@@ -373,7 +360,6 @@ const ROWS: &[Row] = &[
     ("any", any),
     ("visitor", visitor),
     ("find", find),
-    ("dispatch", dispatched),
     ("encode", encode),
     ("encode_again", encode_again),
     ("bare", bare),

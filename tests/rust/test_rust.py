@@ -48,7 +48,7 @@ def embedded(machine: str = EMBEDDED) -> str:
 
 def program(spec: str, name: str, cases: Iterable[str] = (), everything: str = "") -> Path:
     """A project whose tests are one program, because linking each alone takes longer than running all."""
-    device = "#![allow(unused)]\nuse mip_protocol::device::Device;\nconst SLACK: u32 = 0;\n"  # blocking ones
+    device = "#[allow(unused)]\nuse mip_protocol::device::Device;\n#[allow(unused)]\nconst SLACK: u32 = 0;\n"
     modules = device + "".join(f'#[path = "{HERE}/cases/{case}.rs"]\nmod {case};\n' for case in cases)
     files = {"tests.rs": modules.encode()}
     if everything:

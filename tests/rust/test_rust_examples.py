@@ -13,7 +13,7 @@ import pytest
 from crates import WORK, passes, rendered
 from mipgen.lower import codec
 from mipgen.targets import rust as target
-from support import PATIENCE, heavy, need, nightly, simulated
+from support import PATIENCE, heavy, need, nightly
 from test_rust import EMBEDDED, embedded, workspace
 
 FEATURES = "open,std,serde,tokio"
@@ -131,23 +131,6 @@ def test_nobody_reads_the_json(log: Path) -> None:
     done = subprocess.run([programs() / "json", log], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
     os.close(writer)
     assert done.returncode == 1 and b"BrokenPipe" in done.stderr and b"panicked" not in done.stderr
-
-
-@heavy(EXAMPLES)
-def test_setup(tmp_path: Path) -> None:
-    """What it has saved is there after the next start."""
-    path, storage = f"{tmp_path}/terminal", tmp_path / "storage"
-    with simulated("--pty", path, "--storage", str(storage)):
-        code, out, error = ran("setup", f"serial:{path}")
-        assert (code, error) == (0, "")
-    assert out.splitlines() == [
-        "low-pass filter at 25 Hz",
-        *(f"field 0x{descriptor:02X} at 100 Hz" for descriptor in (0xD3, 0x04, 0x05)),
-        "saved; 3 fields in the first packet",
-    ]
-    assert storage.read_bytes()
-    with simulated("--pty", path, "--storage", str(storage), "--fault", "refuse=1"):
-        assert ran("setup", f"serial:{path}")[0] == 1
 
 
 #: The packets that the firmware sends, and the replies.

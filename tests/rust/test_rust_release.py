@@ -14,11 +14,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from crates import WORK, bare, crate, passes, rendered, specification, write
+from crates import WORK, crate, passes, rendered, specification, write
 from mipgen.targets.rust import OLDEST, names
 from random_values import chance
 from support import NIGHTLY, ROOT, SPECS, heavy, locked, need, rounds
-from test_rust import EMBEDDED, LONG, embedded, lints, workspace
+from test_rust import LONG, lints, workspace
 
 #: The Rust version that features with dependencies need, as locked for the tests.
 DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io-07": "1.81", "embedded-io-async-07": "1.81",
@@ -150,14 +150,6 @@ def combinations() -> list[str]:
 def test_each_combination_of_features() -> None:
     for features in combinations():
         lints("invented", "--no-default-features", "--features", features)
-
-
-@heavy(EMBEDDED)
-def test_each_combination_of_features_without_std() -> None:
-    check = ("check", "--quiet", "--offline", "--target", embedded(), "--no-default-features", "--features")
-    for features in combinations():
-        if "std" not in features.split(","):
-            passes(bare("difficult"), *check, features, RUSTFLAGS="-D warnings")
 
 
 # --------------------------------------------------------------------------- what may grow

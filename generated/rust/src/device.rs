@@ -50,7 +50,7 @@ use crate::packet::{FromPacket, Packet, MAX_PACKET};
 use crate::parser::Parser;
 use crate::protocol::DescriptorSet;
 use crate::time::Time;
-use crate::timed::Timed;
+use crate::timed::{next_fields, Timed};
 
 mod all;
 #[cfg(feature = "embedded-io-async-07")]
@@ -747,15 +747,6 @@ where
     type Item = Result<(Option<Time>, F), DeviceError<P::Error>>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        loop {
-            match self.source.next_packet(self.wait_ms) {
-                Ok(packet) => {
-                    if let Some(found) = self.reader.read(&packet?) {
-                        return Some(found.map_err(DeviceError::Data));
-                    }
-                }
-                Err(error) => return Some(Err(error)),
-            }
-        }
+        next_fields!(self, self.source.next_packet(self.wait_ms), DeviceError::Data)
     }
 }

@@ -21,6 +21,25 @@ pub struct Timed<S, F> {
     pub(crate) reader: Reader<F>,
 }
 
+/// Returns the next fields of the packets that an expression returns, or its error.
+macro_rules! next_fields {
+    ($timed:ident, $packet:expr, $invalid:expr) => {
+        loop {
+            match $packet {
+                Ok(packet) => {
+                    if let Some(found) = $timed.reader.read(&packet?) {
+                        return Some(found.map_err($invalid));
+                    }
+                }
+                Err(error) => return Some(Err(error)),
+            }
+        }
+    };
+}
+
+#[allow(unused_imports)] // without features
+pub(crate) use next_fields;
+
 /// Reads fields and times.
 pub(crate) struct Reader<F> {
     times: Times,

@@ -475,57 +475,6 @@ impl<'a> RawField<'a> {
     }
 }
 
-/// Runs the arm for the type of a field, with the decoded value.
-///
-/// Like a chain of [`RawField::get`], it looks at each field once, whereas
-/// [`Packet::find`](crate::Packet::find) searches the packet for each type. It returns a `Result`:
-/// a field that cannot be decoded is an error. Without an arm `_`, other types are ignored.
-///
-/// ```
-/// use mip_protocol::{dispatch, protocol::Acknowledge, DecodeError, RawField};
-///
-/// fn show(field: &RawField<'_>) -> Result<(), DecodeError> {
-///     dispatch!(field, {
-///         Acknowledge(reply) => println!("{}: {}", reply.command, reply.code),
-///         _ => println!("another field"),
-///     })
-/// }
-/// # show(&RawField { set: 1.into(), descriptor: 0xF1, data: &[1, 0] }).unwrap();
-/// ```
-#[macro_export]
-macro_rules! dispatch {
-    ($field:expr, { $($arms:tt)* }) => {{
-        let field = &$field;
-        $crate::dispatch!(@ field $($arms)*)
-    }};
-    (@ $field:ident) => {
-        ::core::result::Result::<_, $crate::DecodeError>::Ok(())
-    };
-    (@ $field:ident _ => $other:expr $(,)?) => {
-        ::core::result::Result::<_, $crate::DecodeError>::Ok($other)
-    };
-    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block, $($rest:tt)*) => {
-        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($rest)*)
-    };
-    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:block $($rest:tt)*) => {
-        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($rest)*)
-    };
-    (@ $field:ident $($type:ident)::+ ($value:pat) => $body:expr $(, $($rest:tt)*)?) => {
-        $crate::dispatch!(@ $field $($type)::+ ($value), $body, $($($rest)*)?)
-    };
-    (@ $field:ident $($type:ident)::+ ($value:pat), $body:expr, $($rest:tt)*) => {
-        match $field.get::<$($type)::+>() {
-            ::core::result::Result::Ok(::core::option::Option::Some($value)) => {
-                ::core::result::Result::Ok($body)
-            }
-            ::core::result::Result::Ok(::core::option::Option::None) => {
-                $crate::dispatch!(@ $field $($rest)*)
-            }
-            ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
-        }
-    };
-}
-
 /// Returns `N` consecutive sets, starting with the number `first`.
 #[allow(clippy::indexing_slicing)] // evaluated at compile time
 pub(crate) const fn run<const N: usize>(first: u8) -> [DescriptorSet; N] {

@@ -8,7 +8,7 @@ use crate::owned::PacketBuf;
 use crate::packet::{FromPacket, Packet};
 use crate::parser::{judge, Candidate, Parser};
 use crate::time::Time;
-use crate::timed::Timed;
+use crate::timed::{next_fields, Timed};
 
 /// Reads packets from a source.
 ///
@@ -138,16 +138,7 @@ impl<R: Read, F: FromPacket> Iterator for Timed<&mut PacketReader<R>, F> {
     type Item = io::Result<(Option<Time>, F)>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        loop {
-            match self.source.next_packet() {
-                Ok(packet) => {
-                    if let Some(found) = self.reader.read(&packet?) {
-                        return Some(found.map_err(invalid));
-                    }
-                }
-                Err(error) => return Some(Err(error)),
-            }
-        }
+        next_fields!(self, self.source.next_packet(), invalid)
     }
 }
 

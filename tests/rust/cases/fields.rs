@@ -5,9 +5,9 @@
 use mip_protocol::protocol::{ReadCall, SaveCall, WriteCall};
 use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, Vector3f};
 use mip_protocol::{
-    devices, dispatch, measurements, mip_3d, protocol, registry, shared, tools, AnyField, Bool,
-    Command, DecodeErrorKind, DescriptorSet, EncodeErrorKind, Field, List, PacketBuilder, RawField,
-    Reader, Response, ResponseOf, Role,
+    devices, measurements, mip_3d, protocol, registry, tools, AnyField, Bool, Command,
+    DecodeErrorKind, DescriptorSet, EncodeErrorKind, Field, List, PacketBuilder, RawField, Reader,
+    Response, ResponseOf, Role,
 };
 
 fn bytes<T: Field>(field: &T) -> Vec<u8> {
@@ -112,55 +112,6 @@ fn tuples_convert_to_structures() {
     assert_eq!((stripes.width, stripes.angle), (0.5, 2.0));
     let path = tools::Path::new(true, [(1, -2).into()]);
     assert_eq!(path.points[..], [Point::new(1, -2)]);
-}
-
-/// A program that handles some fields, with arms of its own.
-fn first_number(field: &RawField<'_>) -> Result<f64, DecodeErrorKind> {
-    let number = dispatch!(field, {
-        measurements::Accel(accel) => { accel.scaled_accel.x.into() }
-        shared::Timestamp(time) => time.tow,
-        tools::StatusLong(status) => status.uptime as f64,
-        tools::StatusShort(_) => { -1.0 },
-        _ => f64::NAN,
-    });
-    number.map_err(|error| error.kind)
-}
-
-#[test]
-fn each_field_gets_the_arm_of_its_type() {
-    let accel = measurements::Accel { scaled_accel: [2.5, 0.0, 0.0].into(), ..Default::default() };
-    let data = bytes(&accel);
-    let field = RawField {
-        set: DescriptorSet(0x80),
-        descriptor: measurements::Accel::DESCRIPTOR,
-        data: &data,
-    };
-    assert_eq!(first_number(&field), Ok(2.5));
-    assert_eq!(
-        dispatch!(field, { measurements::Accel(found) => assert_eq!(found, accel) }),
-        Ok(())
-    );
-    let mut other = false;
-    assert_eq!(dispatch!(field, { tools::StatusShort(_) => other = true }), Ok(()));
-    assert!(!other);
-    let short = RawField { data: &data[..5], ..field };
-    assert_eq!(first_number(&short), Err(DecodeErrorKind::Truncated));
-    assert!(first_number(&RawField { set: DescriptorSet(1), ..field }).unwrap().is_nan());
-    let time = bytes(&shared::Timestamp { tow: 7.0, ..Default::default() });
-    let descriptor = shared::Timestamp::DESCRIPTOR;
-    assert_eq!(
-        first_number(&RawField { set: DescriptorSet(0x80), descriptor, data: &time }),
-        Ok(7.0)
-    );
-    // Several layouts of one descriptor.
-    let descriptor = tools::StatusShort::DESCRIPTOR;
-    let long = bytes(&tools::StatusLong { flags: 1, uptime: 2 });
-    assert_eq!(first_number(&RawField { set: DescriptorSet(1), descriptor, data: &long }), Ok(2.0));
-    let status = bytes(&tools::StatusShort { flags: 1 });
-    assert_eq!(
-        first_number(&RawField { set: DescriptorSet(1), descriptor, data: &status }),
-        Ok(-1.0)
-    );
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, Parser};
 use crate::protocol::DescriptorSet;
 use crate::time::Time;
-use crate::timed::Timed;
+use crate::timed::{next_fields, Timed};
 
 /// A device at a port with the traits of `embedded-io-async`: the asynchronous form of
 /// [`Device`](super::Device), for any executor.
@@ -119,11 +119,8 @@ where
     S: FnMut(u32) -> F,
     F: Future<Output = ()>,
 {
-    /// Sends a command, waits until the device has carried it out, and returns its response.
-    ///
-    /// The command's type determines the type of the response: `()` for a command without one, and
-    /// an `Option` if its function is known only at run time. If devices do not answer the command,
-    /// it does not wait.
+    /// Sends a command, waits until the device has carried it out, and returns its response; see
+    /// [`Device::request`](super::Device::request).
     ///
     /// # Errors
     ///
@@ -151,10 +148,8 @@ where
         Ok(C::responses(&tickets, &self.core.client)?)
     }
 
-    /// Sends several commands of one descriptor set in one packet, and waits for all replies.
-    ///
-    /// The closure adds the commands, and returns any value, usually their tickets. If it adds
-    /// none, nothing is sent. [`AsyncDevice::answer`] returns the outcome of each.
+    /// Sends several commands of one descriptor set in one packet, and waits for all replies; see
+    /// [`Device::send_all`](super::Device::send_all).
     ///
     /// # Errors
     ///
@@ -217,9 +212,8 @@ where
         self.core.answer(ticket)
     }
 
-    /// Like [`AsyncDevice::answer`], but without decoding the response, and for tickets of any
-    /// type, including those of [`Request::add_any`]. Returns `None` for an earlier command, and if
-    /// the device does not answer the command.
+    /// Like [`AsyncDevice::answer`], but without decoding the response; see
+    /// [`Device::event`](super::Device::event).
     pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
         self.core.client.known_event(ticket)
     }
@@ -326,16 +320,7 @@ where
     /// Returns the next fields, and the time of their packet; `None` if no packet arrives in time.
     #[allow(clippy::should_implement_trait)] // it is asynchronous
     pub async fn next(&mut self) -> Option<Result<(Option<Time>, T), DeviceError<P::Error>>> {
-        loop {
-            match self.source.next_packet(self.wait_ms).await {
-                Ok(packet) => {
-                    if let Some(found) = self.reader.read(&packet?) {
-                        return Some(found.map_err(DeviceError::Data));
-                    }
-                }
-                Err(error) => return Some(Err(error)),
-            }
-        }
+        next_fields!(self, self.source.next_packet(self.wait_ms).await, DeviceError::Data)
     }
 }
 

@@ -31,7 +31,6 @@ EXAMPLES = {
     "quickstart": (),
     "log_to_csv": ("std",),
     "stream": ("open",),
-    "setup": ("open",),
     "json": ("std", "serde"),
     "two_tasks": ("tokio",),
     "firmware": (),

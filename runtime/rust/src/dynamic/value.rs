@@ -196,18 +196,6 @@ impl Record {
         self.values.iter().map(|(name, value)| (name.as_ref(), value))
     }
 
-    /// Returns the number of values.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.values.len()
-    }
-
-    /// Is it empty?
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.values.is_empty()
-    }
-
     /// Appends a value of a type.
     pub(crate) fn put(&mut self, name: &'static str, value: &impl ToValue) {
         self.push(name, value.to_value());
@@ -280,24 +268,6 @@ impl Record {
             (None, None) => Ok(()),
             (Some(_), Some(_)) => self.check_count(counter, array),
             _ => Err(ValueError::Missing),
-        }
-    }
-}
-
-#[cfg(feature = "serde")]
-impl serde::Serialize for Value {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Integer(number) => match (i64::try_from(*number), u64::try_from(*number)) {
-                (Ok(number), _) => serializer.serialize_i64(number),
-                (_, Ok(number)) => serializer.serialize_u64(number),
-                _ => serializer.serialize_i128(*number),
-            },
-            Self::Float(number) => crate::readable::serialize(number, serializer),
-            Self::Double(number) => crate::readable::serialize(number, serializer),
-            Self::Text(text) => serializer.serialize_str(text),
-            Self::List(items) => serializer.collect_seq(items),
-            Self::Record(record) => serializer.collect_map(record.iter()),
         }
     }
 }
