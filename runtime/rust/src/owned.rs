@@ -23,11 +23,6 @@ use crate::time::Clock;
 /// assert_eq!((packet.set().0, kept[1].fields().count()), (1, 1));
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Vec<u8>", into = "Vec<u8>")
-)]
 pub struct PacketBuf {
     bytes: Box<[u8]>,
 }
@@ -135,5 +130,21 @@ impl AsRef<[u8]> for PacketBuf {
 impl fmt::Debug for PacketBuf {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.packet().fmt(f)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for PacketBuf {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.bytes())
+    }
+}
+
+/// Checks the bytes.
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for PacketBuf {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let bytes = crate::List::<u8, { crate::packet::MAX_PACKET }>::deserialize(deserializer)?;
+        Self::try_from(bytes.as_slice()).map_err(serde::de::Error::custom)
     }
 }
