@@ -59,7 +59,6 @@ class Case:
     rate: float | None = 100.0
     info: tuple[str, ...] = ()  # parts of the text
     doctor: tuple[str, ...] = ()  # causes
-    dated_only: bool = False  # all times are dates, so there is no other column
 
 
 def sensed(stamps: Iterable[list[Field]]) -> list[bytes]:
@@ -83,8 +82,8 @@ def cases() -> dict[str, Case]:
     unsynchronized = ("no date: not synchronized",)
     angles = (0x05, struct.pack(">3fH", 0, 0, 0, 0))
     return {
-        "three flags": Case(sensed([stamp(0x12, t, WEEK, 7)] for t in week), dates(), dated_only=True),
-        "five flags": Case(sensed([stamp(0x12, t, WEEK, 0x1D)] for t in week), dates(), dated_only=True),
+        "three flags": Case(sensed([stamp(0x12, t, WEEK, 7)] for t in week), dates()),
+        "five flags": Case(sensed([stamp(0x12, t, WEEK, 0x1D)] for t in week), dates()),
         "five flags, first with three set": Case(
             sensed([stamp(0x12, t, WEEK, 0x1D if i else 7)] for i, t in enumerate(week)),
             [None, *dates()[1:]],
@@ -371,20 +370,6 @@ def test_mcap(case: Case, path: Path) -> None:
         near([message.log_time for *_, message in messages], steady, 1e9)
 
 
-def test_equal_steps(case: Case, path: Path) -> None:
-    code, out, _ = mip("export", path, "sensor.scaled_accel", "--rate", "100", "-o", "-")
-    times = case.dates if case.dated_only else case.device
-    if not any(time is not None for time in times):
-        assert code == 1
-        return
-    rows = list(csv.DictReader(io.StringIO(out)))
-    if case.rate:
-        assert len(rows) == pytest.approx(COUNT, abs=2)
-        assert sum(bool([*row.values()][-1]) for row in rows) == pytest.approx(COUNT, abs=4)
-        with_date = sum(bool(row.get("time")) for row in rows)
-        assert with_date == pytest.approx(sum(date is not None for date in case.dates), abs=4)
-
-
 def test_cut(case: Case, path: Path) -> None:
     code, _, error = mip("cut", path, "-o", path.with_suffix(".cut"), "--only", "0x80", "--end", "0.255")
     assert code == 0 or "has no valid times" in error
@@ -422,7 +407,7 @@ def written(tmp_path: Path, *packets: bytes) -> Path:
 def test_a_cut_keeps_the_reply_of_the_device(tmp_path: Path) -> None:
     """Flags 7 mark no date on a 3DM-CV7."""
     path = written(tmp_path, reply("3dm-cv7-ahrs"), *CASES["three flags"].packets)
-    for words in (["--begin", "0.2"], ["--only", "0x80"], ["--only", "sensor.scaled_accel", "--packets", "9:"]):
+    for words in (["--begin", "0.2"], ["--only", "0x80"], ["--only", "sensor.scaled_accel"]):
         assert mip("cut", path, "-o", tmp_path / "part.bin", *words)[0] == 0
         assert read_log(tmp_path / "part.bin").device == "3dm-cv7-ahrs", words
     code, _, error = mip("cut", path, "-o", tmp_path / "none.bin", "--begin", "99")
@@ -498,12 +483,6 @@ def test_a_receiver_with_a_date_beside_a_clock_without(tmp_path: Path) -> None:
     dated = [packet(0x91, stamp(0x09, TOW + i / 10, WEEK, 3)) for i in range(6)]
     together = [x for i, one in enumerate(sensor_packets) for x in ([dated[i // 10]] if i % 10 == 0 else []) + [one]]
     assert "time: 12.500 to 13.090, 0.590 s (device clock)" in mip("info", written(tmp_path, *together))[1]
-
-
-def test_equal_steps_without_any_row(tmp_path: Path) -> None:
-    apart = [x for t, one in zip(TIMES, sensed([] for _ in TIMES)) for x in (packet(0x80, stamp(0xD3, t, 0, 0)), one)]
-    code, _, error = mip("export", written(tmp_path, *apart), "sensor.scaled_accel", "--rate", "100", "-o", "-")
-    assert code == 1 and "none of these fields is in packets with a time by the device clock" in error
 
 
 def test_one_timestamp(tmp_path: Path) -> None:
