@@ -190,6 +190,7 @@ WORDS = {
     "timestamp an external pulse": ["fields/shared/event_source.html", "fields/3dm/event_trigger_config.html"],
     "altitude above ellipsoid or msl": ["guides/axes_and_signs.html", "fields/gnss_data/llh_position.html"],
     "get angles from imu gx3-15": ["devices/3dm-gx3-15.html", "fields/sensor/comp_euler_angles.html"],
+    "foxglove live view": ["project/stream.html", "tools/live.html", "project/commands.html"],
     "live view in a browser": ["project/stream.html", "tools/live.html", "project/commands.html"],
     "level the device reset roll pitch": ["fields/filter/tare_orientation.html", "guides/troubleshooting.html"],
     "pps sync for imu without gnss": ["guides/time_and_pps.html"],

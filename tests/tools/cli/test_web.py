@@ -13,8 +13,10 @@ from typing import Any
 import pytest
 from mip_protocol import base
 from mip_tools.errors import Failure
+from mip_tools.files import pages
+from mip_tools.files.pages import CONNECTIONS
 from mip_tools.simulator import LivePort, VirtualDevice
-from mip_tools.web.server import CONNECTIONS, Server, host_is_known
+from mip_tools.web.server import Server
 from program import DEVICE, PATIENCE, mip, running, simulated, until
 
 PING_COMMAND = bytes(base.Ping().packet())
@@ -166,7 +168,19 @@ def test_it_listens_on_this_machine_only_and_each_token_is_new() -> None:
     ],
 )  # fmt: skip
 def test_hosts(header: str, own: str, known: bool) -> None:
-    assert host_is_known(header, own) == known
+    assert pages.host_is_known(header, own) == known
+
+
+@pytest.mark.parametrize(
+    ("origin", "allowed"),
+    [
+        (None, True), ("https://app.foxglove.dev", True), ("file://", True), ("https://own.example", True),
+        ("https://evil.example", False), ("https://app.foxglove.dev.evil.example", False), ("null", False), ("", False),
+    ],
+)  # fmt: skip
+def test_origins(origin: str | None, allowed: bool) -> None:
+    assert pages.origin_is_allowed(origin, (*pages.FOXGLOVE, "https://own.example")) == allowed
+    assert pages.origin_is_allowed(origin, ["*"])
 
 
 def test_an_origin_cannot_write_to_the_terminal() -> None:
@@ -181,7 +195,7 @@ def test_an_origin_cannot_write_to_the_terminal() -> None:
 
 def test_slow_and_many_clients_do_not_hold_the_server(monkeypatch: pytest.MonkeyPatch) -> None:
     """A request that never ends is given up after one deadline, whatever it sends meanwhile."""
-    monkeypatch.setattr("mip_tools.web.server.PATIENCE", 0.5)
+    monkeypatch.setattr("mip_tools.files.pages.PATIENCE", 0.5)
     with serving() as server:
         slow = [socket.create_connection(("127.0.0.1", server.number), PATIENCE) for _ in range(CONNECTIONS)]
         for client in slow:
@@ -273,7 +287,7 @@ def test_a_page_that_is_sending_reads_why_it_ends(ending: str) -> None:
 
 
 def test_a_page_that_never_closes_its_end_is_cut_off(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("mip_tools.web.server.PATIENCE", 0.2)
+    monkeypatch.setattr("mip_tools.files.pages.PATIENCE", 0.2)
     with serving() as server:
         page = Page(server, f"/{server.token}")
         page.send(masked(BINARY, PING_COMMAND))

@@ -22,7 +22,7 @@ COMMANDS = {
     "cut": "copy a part of a log",
     "record": "write what a device sends to a file",
     "monitor": "show the latest values of a device, live",
-    "stream": "write live data as JSON lines, CSV or MCAP",
+    "stream": "write live data as JSON lines, CSV, MCAP, or to Foxglove",
     "send": "send a command and show the reply",
     "corrections": "pass RTCM corrections from an NTRIP caster to a device",
     "calibrate-mag": "compute hard and soft iron of a magnetometer",

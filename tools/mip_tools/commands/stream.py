@@ -11,7 +11,8 @@ from ..binding import Data
 from ..devices.known import KnownDevice
 from ..errors import Misuse
 from ..files import outputs, signals
-from ..formats import live
+from ..files.pages import FOXGLOVE
+from ..formats import foxglove, live
 from ..logs import inputs
 from ..logs.scan import Piece
 from ..names.occurrence import Occurrence
@@ -39,6 +40,7 @@ examples:
   mip stream /dev/ttyACM0 sensor.scaled_accel sensor.scaled_gyro --rate 100
   mip stream /dev/ttyACM0 sensor.scaled_accel@100 sensor.scaled_mag@20 --format csv | head
   mip stream localhost:5000 --format mcap -o drive.mcap --duration 60
+  mip stream /dev/ttyACM0 --format foxglove          open ws://localhost:8765 in Foxglove
   mip record /dev/ttyACM0 -o - | mip stream - --format csv
 
 With rates, the device is configured to send these fields instead of all others in their sets, and
@@ -57,8 +59,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("input", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a log, or - for standard input")
     add("names", nargs="*", default=[], metavar="NAME[@HZ]", help="only these fields or sets; fields may have a rate")
     add("--rate", type=hertz, metavar="HZ", help="start the named fields at this rate")
-    add("--format", choices=live.FORMATS, default="jsonl", help="default: jsonl")
+    add("--format", choices=(*live.FORMATS, "foxglove"), default="jsonl", help="default: jsonl")
     add("-o", "--output", default="-", metavar="FILE", help="output file (default: standard output)")
+    add("--listen", metavar="HOST:PORT", help="foxglove: where clients connect (default: 127.0.0.1:8765)")
+    add("--origin", action="append", default=[], metavar="URL",
+        help="foxglove: a further site whose pages may connect; * for all (default: those of Foxglove)")  # fmt: skip
     add("--duration", type=seconds, metavar="S", help="stop after S seconds")
     add("--packets", type=positive, metavar="N", help="stop after N packets")
     add_rows(parser)
@@ -75,9 +80,13 @@ def run(options: argparse.Namespace) -> int:
     if rates and not at_port:
         raise Misuse(f"{options.input} is not a port; rates are for devices")
     outputs.refuse_input(options.output, options.input)
+    if (options.listen or options.origin) and options.format != "foxglove":
+        raise Misuse("--listen and --origin are for --format foxglove")
     sender = KnownDevice(options.device)
     line = line_of(options, options.input)._replace(gaps=[] if options.reopen else None)
     arriving = _counted(_arriving(options, line, rates, at_port, sender), options.packets)
+    if options.format == "foxglove":
+        return _serve(options, arriving, selection, sender)
     columns = [kind for name in names for kind in _single(name)] if all(map(_single, names)) else []
     with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True) as out:
         try:
@@ -92,6 +101,27 @@ def run(options: argparse.Namespace) -> int:
                 at_port and options.time != "none",
                 line.gaps,
             )
+        except KeyboardInterrupt:  # the usual way to end it
+            pass
+    return 0
+
+
+def _serve(
+    options: argparse.Namespace, arriving: Iterator[Piece | None], selection: Selection, sender: KnownDevice
+) -> int:
+    """Serves the data to Foxglove."""
+    if options.output != "-":
+        raise Misuse("with --format foxglove, no file is written; for a file, use --format mcap")
+    if not inputs.is_port(options.input) and options.input != "-":
+        raise Misuse(
+            f"{options.input} is a log; `mip export {options.input} -o log.mcap` writes a file that Foxglove can open"
+        )
+    server = foxglove.Server(options.input)
+    place = options.listen or foxglove.USUAL
+    with signals.handled(signals.interrupt), foxglove.serving(server, place, (*FOXGLOVE, *options.origin)) as url:
+        print(f"mip stream: open {url} in Foxglove", file=sys.stderr, flush=True)
+        try:
+            foxglove.serve(server, *live.messages(arriving, options, selection, device=sender))
         except KeyboardInterrupt:  # the usual way to end it
             pass
     return 0

@@ -54,17 +54,17 @@ def write_stream(
     Raises Failure if the stream ends without any of the fields.
     """
     if form == "mcap":
-        write_mcap(out, *_messages(arriving, options, selection, out.flush, device), live=True)
+        write_mcap(out, *messages(arriving, options, selection, out.flush, device), live=True)
     else:
         _write_table(out, form, arriving, options, selection, types, device, host, gaps)
 
 
-def _messages(
+def messages(
     arriving: Iterator[Piece | None],
     options: argparse.Namespace,
     selection: Selection,
-    flush: Callable[[], object],
-    device: str | KnownDevice | None,
+    flush: Callable[[], object] = lambda: None,
+    device: str | KnownDevice | None = None,
 ) -> tuple[Iterator[Batch], str | None, Callable[[Occurrence], Topic]]:
     """Returns the fields of a stream as messages, the clock of their times, and what makes the topic of a field."""
     inputs.need_numpy()

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import hmac
-import ipaddress
-import logging
 import secrets
 import socket
 import threading
@@ -14,8 +12,8 @@ from contextlib import suppress
 from importlib import import_module
 from typing import Any, Protocol
 
-from ..binding import MissingExtra
 from ..errors import Failure
+from ..files import pages
 
 HOST = "127.0.0.1"
 #: The maximum size of a message from a page, in bytes.
@@ -23,10 +21,6 @@ LONGEST = 1 << 16
 #: Codes with which a connection ends.
 _NORMAL, _GOING, _TRY_AGAIN = 1000, 1001, 1013
 _AT_ONCE = 4096
-#: Seconds within which a browser must send its request, and close its end.
-PATIENCE = 5.0
-#: Connections at the same time; one more is rejected.
-CONNECTIONS = 16
 
 
 class Port(Protocol):
@@ -54,8 +48,9 @@ class Server:
         self.token = token or secrets.token_urlsafe(16)
         self._taken = threading.Lock()
         self._pages: set[Any] = set()
+        options = {"compression": None, "ping_interval": None, "max_size": LONGEST}
         try:
-            self._listening = _listening(self._serve, number, self._rejection)
+            self._listening = pages.listening("serve", self._serve, (HOST, number), self._rejection, **options)
         except OSError as error:
             raise Failure(f"TCP port {number} cannot be used: {error.strerror}; name another one with --tcp") from None
         self._closed: type[Exception] = import_module("websockets.exceptions").ConnectionClosed
@@ -75,7 +70,7 @@ class Server:
     def __exit__(self, *_: object) -> None:
         """Stops, and waits until the pages have read the reason; those that never read it are cut off."""
         self.stop()
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + pages.PATIENCE
         while self._pages and time.monotonic() < end:
             time.sleep(0.01)
         for page in list(self._pages):
@@ -95,11 +90,11 @@ class Server:
     def _rejection(self, request: Any) -> str | None:
         """Returns why a request is rejected: it is not by a page that knows the token."""
         hosts, origins = request.headers.get_all("Host"), request.headers.get_all("Origin")
-        if len(hosts) != 1 or not host_is_known(hosts[0], HOST):
+        if len(hosts) != 1 or not pages.host_is_known(hosts[0], HOST):
             return "This name is not that of the server."
         if hmac.compare_digest(request.path.encode(errors="surrogateescape"), f"/{self.token}".encode()):
             return None
-        origin = ascii(origins[0][:80]) if origins else "unknown origin"
+        origin = pages.terminal_safe(origins[0]) if origins else "unknown origin"
         self._say(f"a page of {origin} was rejected: it does not know the token")
         return "This page does not know the token."
 
@@ -168,55 +163,3 @@ def _write(port: Port, data: bytes) -> None:
     while data:
         done = port.write(data)
         data = data[len(data) if done is None else done :]
-
-
-def host_is_known(header: str, own: str) -> bool:
-    """Is the host of a request an address, localhost, or the name at which the server listens? A page of another site
-    whose name was made to resolve to this machine (DNS rebinding) sends that name."""
-    name = header.rpartition(":")[0] if header.rpartition(":")[2].isdigit() else header
-    name = name.strip("[]").lower()
-    if name in ("localhost", own.lower()):
-        return True
-    try:
-        ipaddress.ip_address(name)
-    except ValueError:
-        return False
-    return True
-
-
-def _listening(talk: Callable[[Any], None], number: int, rejection: Callable[[Any], str | None]) -> Any:
-    """Makes a WebSocket server, which serves each page with `talk`. `rejection` returns why a request is rejected.
-
-    At most CONNECTIONS clients are connected, and each must send its request within PATIENCE.
-
-    Raises Failure without `websockets`, and OSError.
-    """
-    try:
-        serve = import_module("websockets.sync.server").serve
-    except ImportError:
-        raise Failure(str(MissingExtra("websockets", "serve"))) from None
-
-    def check(connection: Any, request: Any) -> Any:
-        reason = rejection(request)
-        return connection.respond(403, f"{reason}\n") if reason else None
-
-    quiet = logging.getLogger(__name__)
-    quiet.addHandler(logging.NullHandler())
-    quiet.propagate = False
-    timeouts = {"open_timeout": PATIENCE, "close_timeout": PATIENCE, "ping_interval": None}
-    options = {"process_request": check, "logger": quiet, "compression": None, "max_size": LONGEST}
-    server = serve(talk, HOST, number, **options, **timeouts)
-    places, answer = threading.BoundedSemaphore(CONNECTIONS), server.handler
-
-    def accept(client: socket.socket, address: Any) -> None:
-        if not places.acquire(blocking=False):
-            with client, suppress(OSError):
-                client.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n")
-            return
-        try:
-            answer(client, address)
-        finally:
-            places.release()
-
-    server.handler = accept
-    return server
