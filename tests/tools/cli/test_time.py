@@ -189,7 +189,6 @@ def cases() -> dict[str, Case]:
             dates(),
             clock="",
             doctor=("not valid",),
-            dated_only=True,
         ),
         "synchronized in the middle": Case(
             sensed([stamp(0x12, w if ok else t, WEEK * ok, 7 * ok)] for ok, w, t in zip(late, week, on)),
@@ -228,7 +227,6 @@ def cases() -> dict[str, Case]:
             rate=None,
             info=("the gps clock of sensor is stuck at 2024-02-07",),
             doctor=("stuck",),
-            dated_only=True,
         ),
         "stuck": Case(
             sensed([stamp(0xD3, 12.5, 0, 0)] for _ in TIMES),
@@ -253,7 +251,6 @@ def cases() -> dict[str, Case]:
         "next week": Case(
             sensed([stamp(0xD3, (604_799.8 + t) % 604_800, WEEK + (t > 0.195), 3)] for t in TIMES),
             dates(DATE - TOW + 604_799.8),
-            dated_only=True,
         ),
         "next week without a date": Case(
             sensed([stamp(0xD3, (604_799.8 + t) % 604_800, 0, 1)] for t in TIMES),
