@@ -59,6 +59,7 @@ class Case:
     rate: float | None = 100.0
     info: tuple[str, ...] = ()  # parts of the text
     doctor: tuple[str, ...] = ()  # causes
+    dated_only: bool = False  # all times are dates, so there is no other column
 
 
 def sensed(stamps: Iterable[list[Field]]) -> list[bytes]:
@@ -82,8 +83,8 @@ def cases() -> dict[str, Case]:
     unsynchronized = ("no date: not synchronized",)
     angles = (0x05, struct.pack(">3fH", 0, 0, 0, 0))
     return {
-        "three flags": Case(sensed([stamp(0x12, t, WEEK, 7)] for t in week), dates()),
-        "five flags": Case(sensed([stamp(0x12, t, WEEK, 0x1D)] for t in week), dates()),
+        "three flags": Case(sensed([stamp(0x12, t, WEEK, 7)] for t in week), dates(), dated_only=True),
+        "five flags": Case(sensed([stamp(0x12, t, WEEK, 0x1D)] for t in week), dates(), dated_only=True),
         "five flags, first with three set": Case(
             sensed([stamp(0x12, t, WEEK, 0x1D if i else 7)] for i, t in enumerate(week)),
             [None, *dates()[1:]],
@@ -189,6 +190,7 @@ def cases() -> dict[str, Case]:
             dates(),
             clock="",
             doctor=("not valid",),
+            dated_only=True,
         ),
         "synchronized in the middle": Case(
             sensed([stamp(0x12, w if ok else t, WEEK * ok, 7 * ok)] for ok, w, t in zip(late, week, on)),
@@ -227,6 +229,7 @@ def cases() -> dict[str, Case]:
             rate=None,
             info=("the gps clock of sensor is stuck at 2024-02-07",),
             doctor=("stuck",),
+            dated_only=True,
         ),
         "stuck": Case(
             sensed([stamp(0xD3, 12.5, 0, 0)] for _ in TIMES),
@@ -251,6 +254,7 @@ def cases() -> dict[str, Case]:
         "next week": Case(
             sensed([stamp(0xD3, (604_799.8 + t) % 604_800, WEEK + (t > 0.195), 3)] for t in TIMES),
             dates(DATE - TOW + 604_799.8),
+            dated_only=True,
         ),
         "next week without a date": Case(
             sensed([stamp(0xD3, (604_799.8 + t) % 604_800, 0, 1)] for t in TIMES),
