@@ -25,7 +25,7 @@ COMMANDS = (
     "mip info log.bin",
     "mip dump log.bin --only filter_data.ned_velocity | head -n 3",
     "mip export log.bin -o log.csv",
-    "mip plot log.bin filter_data.ned_velocity.north filter_data.ned_velocity.east --together -o plot.svg --size 9x3",
+    "mip plot log.bin filter_data.ned_velocity.north filter_data.ned_velocity.east --together -o plot.svg",
 )
 ROOT = Path(__file__).resolve().parents[2]
 MIP = (sys.executable, "-m", "mip_tools")
