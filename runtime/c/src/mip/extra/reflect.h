@@ -228,10 +228,10 @@ MIP_API uint64_t mip_names_number(const struct mip_names *names, size_t index);
 MIP_API const char *mip_value_name(const struct mip_names *names, uint64_t value);
 
 /** Defines `mip_..._name(value)`, which returns the name of a value of an enumeration, or NULL. */
-#define MIP_VALUE_NAME(type, names)                          \
+#define MIP_VALUE_NAME(type, names)                         \
     static inline const char *type##_name(uint64_t value) { \
-        return mip_value_name(&names, value);                \
-    }                                                        \
+        return mip_value_name(&names, value);               \
+    }                                                       \
     struct mip_names
 
 #ifdef __cplusplus
