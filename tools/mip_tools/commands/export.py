@@ -34,7 +34,7 @@ All formats have the same rows and columns. Packets with the same timestamp are 
 packet, each packet is one. csv has units in the names of the columns, and lists as JSON; jsonl has
 an object for each row, without missing values. parquet needs pyarrow and has units in the
 metadata. mcap has a channel for each field, with JSON; ros2 is a bag, a folder with standard
-messages in the axes of REP 103. From standard input, jsonl and mcap are written as the data arrives.
+messages in the axes of REP 103. From standard input, jsonl and mcap are written as data arrives.
 
 time: `utc` is GPS time as UTC, `unix` the same in seconds since 1970, `clock` in seconds by the
 clock of the device, `start` in seconds since the first row. By default, the column `time` has
