@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from c_build import SANITIZE, SANITIZED, archive, compiled
@@ -41,33 +42,30 @@ def programs(path: Path) -> dict[str, list[str]]:
     return found
 
 
-def asked(path: Path, commands: Sequence[Sequence[str]], pairs: int) -> list[dict[str, int]]:
-    """Runs programs at UDP ports of virtual devices; returns what they count, and `sent`: the fields of replies."""
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    scenario, log = path / "scenario.yaml", path / "faults.jsonl"
-    devices = [{"device": "3dm-cv7-gnss-ins", "ports": ["udp:0"]} for _ in commands]
-    scenario.write_text(json.dumps({"devices": devices, "events": [{"at": 0, "event": "faults", "faults": FAULTS}]}))
-    options = ["--scenario", str(scenario), "--fault-log", str(log), "--log-packets"]
-    simulator = [sys.executable, "-m", "mip_tools", "simulate", *options]
+def asked(path: Path, command: Sequence[str], pairs: int) -> dict[str, int]:
+    """Runs a program at a UDP port of a virtual device; returns what it counts, and `sent`: the fields of replies."""
+    log, environment = path / "faults.jsonl", {**os.environ, "PYTHONPATH": PYTHONPATH}
+    options = ["--udp", "0", "--fault", FAULTS, "--fault-log", str(log), "--log-packets"]
+    simulator = [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", *options]
     with subprocess.Popen(simulator, env=environment, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
-        places = [process.stdout.readline().strip().rpartition(":")[2] for _ in commands]
-        running = [
-            subprocess.Popen([*command, place, str(pairs)], env=environment, stdout=subprocess.PIPE, text=True)
-            for command, place in zip(commands, places, strict=True)
-        ]
-        counts = [json.loads(one.communicate(timeout=PATIENCE)[0]) for one in running]
+        place = process.stdout.readline().strip().rpartition(":")[2]
+        done = subprocess.run(
+            [*command, place, str(pairs)], env=environment, stdout=subprocess.PIPE, text=True, timeout=PATIENCE
+        )
         process.terminate()
-    for count in counts:
-        count["sent"] = 0
-    for entry in map(json.loads, log.read_text("utf-8").splitlines()):
-        if entry["kind"] in ("sent", "double_packet", "repeat_packet"):
-            counts[entry.get("device", 1) - 1]["sent"] += 2  # acknowledge and base rate
-    return counts
+    entries = map(json.loads, log.read_text("utf-8").splitlines())
+    replies = sum(entry["kind"] in ("sent", "double_packet", "repeat_packet") for entry in entries)
+    return json.loads(done.stdout) | {"sent": 2 * replies}  # acknowledge and base rate
 
 
 def check(path: Path, commands: dict[str, list[str]], pairs: int) -> None:
-    for language, count in zip(commands, asked(path, [*commands.values()], pairs), strict=True):
+    with ThreadPoolExecutor() as pool:
+        folders = [path / f"device-{language}" for language in commands]
+        for folder in folders:
+            folder.mkdir()
+        counts = list(pool.map(asked, folders, commands.values(), [pairs] * len(commands)))
+    for language, count in zip(commands, counts, strict=True):
         assert count["right"] + count["stale"] == pairs and count["other"] == 0, (language, count)
         assert count["longest"] <= LONGEST, (language, count)
         assert 2 * pairs + count["kept"] == count["sent"] > 2 * pairs, (language, count)

@@ -25,18 +25,23 @@ START = 4
 @contextmanager
 def pulled(path: Path, ports: list[str]) -> Iterator[list[str]]:
     """Runs devices at these ports, whose cables are pulled again and again; yields their addresses."""
-    devices = [{"device": DEVICE, "ports": [port]} for port in ports]
     events = [{"at": START, "event": "disconnect", "for": 0.02, "every": 0.16}]
-    (path / "scenario.yaml").write_text(json.dumps({"devices": devices, "events": events}))
-    command = [sys.executable, "-m", "mip_tools", "simulate", "--scenario", str(path / "scenario.yaml")]
+    (path / "scenario.yaml").write_text(json.dumps({"events": events}))
+    simulate = [sys.executable, "-m", "mip_tools", "simulate", DEVICE, "--scenario", str(path / "scenario.yaml")]
     environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+    processes, places = [], []
     try:
-        assert process.stdout is not None
-        yield [process.stdout.readline().strip() for _ in ports]
+        for kind, _, place in (port.partition(":") for port in ports):
+            command = [*simulate, f"--{kind}", place]
+            processes.append(subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True))
+        for process in processes:
+            assert process.stdout is not None
+            places.append(process.stdout.readline().strip())
+        yield places
     finally:
-        process.kill()
-        process.communicate()
+        for process in processes:
+            process.kill()
+            process.communicate()
 
 
 def checked(count: Mapping[str, Any]) -> None:
