@@ -177,7 +177,7 @@ macro_rules! vector {
             }
         }
 
-        through!($name: [$number; $count], to_array, Self::from);
+        through!($name: [$number; $count], Self::to_array, Self::from);
 
         /// Serializes as an array, as in a tree of values.
         #[cfg(feature = "serde")]
@@ -273,21 +273,14 @@ macro_rules! newtype {
             const BLANK: Self = Self(<$inner as $crate::list::Item>::BLANK);
         }
 
-        through!($name: $inner, to_inner, Self);
-
-        impl $name {
-            #[inline]
-            const fn to_inner(self) -> $inner {
-                self.0
-            }
-        }
+        through!($name: $inner, <$inner>::from, Self);
     };
 }
 
 /// The wire format and the tree of values of what is inside: a function that returns it, and one
 /// that makes the value of it.
 macro_rules! through {
-    ($name:ident: $inner:ty, $inside:ident, $made:expr) => {
+    ($name:ident: $inner:ty, $inside:expr, $made:expr) => {
         #[doc(hidden)]
         impl $crate::Wire for $name {
             const SIZE: usize = <$inner as $crate::Wire>::SIZE;
@@ -305,7 +298,7 @@ macro_rules! through {
                 &self,
                 writer: &mut $crate::Writer<'_>,
             ) -> ::core::result::Result<(), $crate::error::EncodeErrorKind> {
-                writer.write(&self.$inside())
+                writer.write(&$inside(*self))
             }
         }
 
@@ -313,7 +306,7 @@ macro_rules! through {
         #[doc(hidden)]
         impl $crate::dynamic::ToValue for $name {
             fn to_value(&self) -> $crate::dynamic::Value {
-                $crate::dynamic::ToValue::to_value(&self.$inside())
+                $crate::dynamic::ToValue::to_value(&$inside(*self))
             }
         }
 
