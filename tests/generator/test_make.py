@@ -146,4 +146,4 @@ def test_locks_hold_what_the_package_asks_for() -> None:
 def test_locks_agree() -> None:
     """One environment is made from all of them, and each pin stands once."""
     names = [n for name in LOCKS for n in pinned(name)]
-    assert len(set(names)) == len(names) > 100
+    assert len(set(names)) == len(names) > 50

@@ -98,7 +98,7 @@ def _back(device: DeviceAtPort, line: Line, begin: Begin | None, end: float | No
             continue
         gap, now = time.monotonic() - lost, datetime.now()
         if line.gaps is not None:
-            line.gaps.append(gap)
+            line.gaps.append(max(gap, 0.001))  # written in milliseconds: not as 0, which is no gap
         print(f"mip {line.command}: {line.name} was lost for {gap:.1f} s, until {now:%H:%M:%S}", file=sys.stderr)
         return True
     return False
