@@ -1,1 +1,1 @@
-"""ROS 2 messages: standard ones in the axes of REP 103, and those of the package mip_msgs."""
+"""Standard messages of ROS 2, in the axes of REP 103."""

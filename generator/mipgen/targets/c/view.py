@@ -348,7 +348,7 @@ class Library:
     @property
     def ack_code(self) -> Named:
         """The enumeration of acknowledge codes, which the runtime uses."""
-        return next(t for t in self.types if isinstance(t, Named) and t.name == "mip_ack_code")
+        return next(t for t in self.types if isinstance(t, Named) and t.of is self.model.protocol.ack_code)
 
     @property
     def named(self) -> list[Named]:
