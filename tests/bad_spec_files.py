@@ -159,9 +159,8 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
 
 def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Files that were valid and have not changed are neither parsed nor checked again: for tests with many runs."""
-    monkeypatch.setenv("MIPGEN_CACHE", "")
     good: dict[tuple[str, bytes], nodes.Node] = {}
-    judge = loader._valid
+    judge = loader.check_schema
 
     def quick_read(path: Path, name: str, problems: Problems) -> nodes.Node | None:
         key = (name, path.read_bytes())
@@ -177,7 +176,7 @@ def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
         return fine
 
     monkeypatch.setattr(loader, "read", quick_read)
-    monkeypatch.setattr(loader, "_valid", quick_judge)
+    monkeypatch.setattr(loader, "check_schema", quick_judge)
 
 
 # --------------------------------------------------------------------------- messages that changed

@@ -23,15 +23,13 @@ from support import tree
 
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
-    *("read/loader.py", "read/nodes.py", "read/syntax.py", "facts/references.py", "emit/naming.py"),
+    *("read/loader.py", "read/nodes.py", "read/schemas.py", "read/syntax.py", "facts/references.py", "emit/naming.py"),
     *sorted(f"resolve/{path.name}" for path in (GENERATOR / "resolve").glob("[!_]*.py")),
 )  # fmt: skip
 
-#: What reports a problem: calls of these, `raise Wrong(...)`, the faults that `syntax` returns, and the messages that
-#: `loader.error_messages` yields, with what `_fault_of_value` returns.
-REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "Wrong", "_fault", "Fault", "_unclosed"}
-
-FAULTS = {"_fault", "Fault", "_unclosed"}
+#: What reports a problem: calls of these, `raise Wrong(...)`, and the faults that `syntax` and `schemas` return.
+FAULTS = {"_fault", "_fault_of_key", "Fault", "_unclosed"}
+REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "Wrong", *FAULTS}
 
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
@@ -42,7 +40,6 @@ UNREACHABLE = {
         "test_witness.py::test_command_line",
     "checks: problems.add(model.protocol.acknowledge.position, 'no set contains a field; add one to a file in sets/')":
         "test_no_field_at_all",
-    "loader: return f': {error.message}'": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
         "test_a_folder_in_place_of_a_file",
     "evidence: raise Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":
@@ -127,17 +124,13 @@ def sites(path: Path) -> Iterator[Site]:
         if not isinstance(function, ast.FunctionDef) or function.name in REPORTERS - {"named", "wrong"}:
             continue
         for node in ast.walk(function):
-            if isinstance(node, (ast.Expr, ast.Raise, ast.Return)) and _reports(node, function.name):
+            if isinstance(node, (ast.Expr, ast.Raise, ast.Return)) and _reports(node):
                 last = node.end_lineno or node.lineno
                 yield Site(str(path), function.lineno, node.lineno, last, ast.unparse(node))
 
 
-def _reports(node: ast.Expr | ast.Raise | ast.Return, function: str) -> bool:
+def _reports(node: ast.Expr | ast.Raise | ast.Return) -> bool:
     value = node.exc if isinstance(node, ast.Raise) else node.value
-    if function == "_fault_of_value":  # of a value that does not obey its schema
-        return isinstance(node, ast.Return)
-    if isinstance(value, ast.Yield):
-        return function == "messages"
     if not isinstance(value, ast.Call):
         return False
     name = value.func.attr if isinstance(value.func, ast.Attribute) else getattr(value.func, "id", "")

@@ -397,15 +397,6 @@ def test_the_same_files_in_other_folders_are_another_input(tmp_path: Path) -> No
     assert stamp.run_key([first, second]) != before
 
 
-def test_a_file_that_was_valid_once_is_judged_when_it_changes(tmp_path: Path) -> None:
-    shutil.copytree(INVENTED, tmp_path / "spec")
-    assert cli.main(["validate", "--spec", str(tmp_path / "spec")]) == 0
-    for text, status in (("acknowledge", 0), ("acknowledg", 1), ("acknowledge", 0)):
-        file = tmp_path / "spec/protocol.yaml"
-        file.write_text(re.sub(r"^acknowledge?:", f"{text}:", file.read_text("utf-8"), flags=re.M), "utf-8")
-        assert cli.main(["validate", "--spec", str(tmp_path / "spec")]) == status
-
-
 # --------------------------------------------------------------------------- processes
 
 

@@ -5,19 +5,16 @@ from __future__ import annotations
 import re
 import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
-from mipgen.read import loader, nodes, spelling
+from mipgen.read import nodes, spelling
 from mipgen.read.nodes import Node
 from mipgen.read.position import Position
 from mipgen.read.problems import MANY, Problems, SpecError, nearest
 from mipgen.resolve.load import load_model
-from support import ROOT, later, model
-
-jsonschema = later("jsonschema")
+from support import ROOT, model
 
 
 def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
@@ -141,20 +138,6 @@ def test_files_that_are_not_of_the_specification(tmp_path: Path) -> None:
 def test_no_folder_at_all(tmp_path: Path) -> None:
     with pytest.raises(SpecError, match=r"nowhere:1:1: error: this is not a specification"):
         load_model(tmp_path / "nowhere")
-
-
-def words(schema: dict[str, Any], value: Any) -> list[str]:
-    found = jsonschema.Draft7Validator(schema).iter_errors(value)
-    return [message for error in found for _, message in loader.error_messages(error, "the file")]
-
-
-def test_a_rule_without_words() -> None:
-    """Every rule that the schemas use has a message of its own; any other rule still has one."""
-    assert words({"multipleOf": 2}, 3) == ["the file: 3 is not a multiple of 2"]
-
-
-def test_long_text_is_cut() -> None:
-    assert len(words({"type": "integer"}, "x" * 500)[0]) < 120
 
 
 def test_problems_are_sorted_and_counted_once() -> None:

@@ -46,9 +46,6 @@ class Node:
     position: Position
     keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: the position of each key
 
-    def __reduce__(self) -> tuple[Any, ...]:  # attribute by attribute, reading the cache would take a third longer
-        return Node, (self.value, self.position, self.keys) if self.keys else (self.value, self.position)
-
     def __contains__(self, key: str) -> bool:
         return isinstance(self.value, dict) and key in self.value
 
