@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 from typing import Any
 
@@ -416,9 +417,9 @@ def test_what_fails_in_a_process_is_raised_here() -> None:
 
     with pytest.raises(Failure, match=r"^here: error: two is not liked$"):
         parallel.each(fail, [1, 2, 3])
-    with pytest.raises(RuntimeError, match="ZeroDivisionError"):
+    with pytest.raises(ZeroDivisionError):
         parallel.each(lambda n: 1 // n, [1, 0])
-    with pytest.raises(RuntimeError, match="it ended with status"):
+    with pytest.raises(BrokenProcessPool):
         parallel.each(lambda n: os._exit(n), [0, 3])
 
 
