@@ -59,7 +59,8 @@ extern MIP_API const struct mip_codec mip_any_field;
 
 /** A handler of received fields. */
 struct mip_handler {
-    /** The type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
+    /** The type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD; NULL
+     * for none yet. Do not replace one by another while data arrives. */
     const struct mip_codec *type;
     /** The descriptor set, for example of one of two receivers, or MIP_ANY_SET. */
     uint8_t descriptor_set;
@@ -149,6 +150,11 @@ struct mip_device {
     /** What your program adds; NULL unless it sets it. Must stay at its address. */
     const struct mip_hooks *hooks;
 #endif
+    /** The number of handlers whose descriptors, modulo 32, are the bits of `descriptors`. */
+    size_t selected;
+    /** The descriptors that a handler may want. Only the library sets these two, if it uses them.
+     */
+    uint32_t descriptors;
     /** The last command that was sent: the one that was rejected, if mip_device_stream or
      * mip_device_connect reports that. NULL before the first one. */
     const struct mip_exchange *sent;

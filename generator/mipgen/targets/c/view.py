@@ -223,6 +223,7 @@ class Field:
     accessors: list[cpp.Accessor]  # the functions that C++ adds to the structure
     commands: list[cpp.Command]  # the structures of C++ that send a command
     response: str  # of a command, in C++
+    decoder: str  # the end of the name of the function by which C++ decodes it
 
 
 def field(f: m.Field, model: m.Model) -> Field:
@@ -255,6 +256,7 @@ def field(f: m.Field, model: m.Model) -> Field:
         accessors=cpp.accessors(f),
         commands=cpp.commands(f, model) if is_command else [],
         response=cpp.only_response(*model.responses(f)),
+        decoder="decode_inline" if direct.is_direct(f) else "decode",
     )
 
 

@@ -5,249 +5,266 @@
 #ifndef MIP_3DM_HPP
 #define MIP_3DM_HPP
 
-#include "mip/3dm.h"
+#include "mip/3dm_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
-MIP_LAYOUT(mip_3dm_poll_imu_data, MIP_3DM_POLL_IMU_DATA, MIP_3DM_POLL_IMU_DATA, "3dm.poll_imu_data")
+MIP_LAYOUT(mip_3dm_poll_imu_data, MIP_3DM_POLL_IMU_DATA, MIP_3DM_POLL_IMU_DATA, "3dm.poll_imu_data",
+           decode)
 MIP_LAYOUT(mip_3dm_poll_gnss_data, MIP_3DM_POLL_GNSS_DATA, MIP_3DM_POLL_GNSS_DATA,
-           "3dm.poll_gnss_data")
+           "3dm.poll_gnss_data", decode)
 MIP_LAYOUT(mip_3dm_poll_filter_data, MIP_3DM_POLL_FILTER_DATA, MIP_3DM_POLL_FILTER_DATA,
-           "3dm.poll_filter_data")
+           "3dm.poll_filter_data", decode)
 MIP_LAYOUT(mip_3dm_poll_nmea_data, MIP_3DM_POLL_NMEA_DATA, MIP_3DM_POLL_NMEA_DATA,
-           "3dm.poll_nmea_data")
+           "3dm.poll_nmea_data", decode)
 MIP_LAYOUT(mip_3dm_get_imu_base_rate, MIP_3DM_GET_IMU_BASE_RATE, MIP_3DM_GET_IMU_BASE_RATE,
-           "3dm.get_imu_base_rate")
+           "3dm.get_imu_base_rate", decode)
 MIP_LAYOUT(mip_3dm_get_gnss_base_rate, MIP_3DM_GET_GNSS_BASE_RATE, MIP_3DM_GET_GNSS_BASE_RATE,
-           "3dm.get_gnss_base_rate")
+           "3dm.get_gnss_base_rate", decode)
 MIP_LAYOUT(mip_3dm_imu_message_format, MIP_3DM_IMU_MESSAGE_FORMAT, MIP_3DM_IMU_MESSAGE_FORMAT,
-           "3dm.imu_message_format")
+           "3dm.imu_message_format", decode)
 MIP_LAYOUT(mip_3dm_gnss_message_format, MIP_3DM_GNSS_MESSAGE_FORMAT, MIP_3DM_GNSS_MESSAGE_FORMAT,
-           "3dm.gnss_message_format")
+           "3dm.gnss_message_format", decode)
 MIP_LAYOUT(mip_3dm_filter_message_format, MIP_3DM_FILTER_MESSAGE_FORMAT,
-           MIP_3DM_FILTER_MESSAGE_FORMAT, "3dm.filter_message_format")
+           MIP_3DM_FILTER_MESSAGE_FORMAT, "3dm.filter_message_format", decode)
 MIP_LAYOUT(mip_3dm_get_filter_base_rate, MIP_3DM_GET_FILTER_BASE_RATE, MIP_3DM_GET_FILTER_BASE_RATE,
-           "3dm.get_filter_base_rate")
+           "3dm.get_filter_base_rate", decode)
 MIP_LAYOUT(mip_3dm_nmea_message_format, MIP_3DM_NMEA_MESSAGE_FORMAT, MIP_3DM_NMEA_MESSAGE_FORMAT,
-           "3dm.nmea_message_format")
-MIP_LAYOUT(mip_3dm_poll_data, MIP_3DM_POLL_DATA, MIP_3DM_POLL_DATA, "3dm.poll_data")
-MIP_LAYOUT(mip_3dm_get_base_rate, MIP_3DM_GET_BASE_RATE, MIP_3DM_GET_BASE_RATE, "3dm.get_base_rate")
+           "3dm.nmea_message_format", decode)
+MIP_LAYOUT(mip_3dm_poll_data, MIP_3DM_POLL_DATA, MIP_3DM_POLL_DATA, "3dm.poll_data", decode)
+MIP_LAYOUT(mip_3dm_get_base_rate, MIP_3DM_GET_BASE_RATE, MIP_3DM_GET_BASE_RATE, "3dm.get_base_rate",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_message_format, MIP_3DM_MESSAGE_FORMAT, MIP_3DM_MESSAGE_FORMAT,
-           "3dm.message_format")
+           "3dm.message_format", decode)
 MIP_LAYOUT(mip_3dm_factory_streaming, MIP_3DM_FACTORY_STREAMING, MIP_3DM_FACTORY_STREAMING,
-           "3dm.factory_streaming")
+           "3dm.factory_streaming", decode_inline)
 MIP_LAYOUT(mip_3dm_data_stream_control, MIP_3DM_DATA_STREAM_CONTROL, MIP_3DM_DATA_STREAM_CONTROL,
-           "3dm.data_stream_control")
+           "3dm.data_stream_control", decode)
 MIP_LAYOUT(mip_3dm_raw_rtcm_2_3_message, MIP_3DM_RAW_RTCM_2_3_MESSAGE, MIP_3DM_RAW_RTCM_2_3_MESSAGE,
-           "3dm.raw_rtcm_2_3_message")
+           "3dm.raw_rtcm_2_3_message", decode)
 MIP_LAYOUT(mip_3dm_constellation_settings, MIP_3DM_CONSTELLATION_SETTINGS,
-           MIP_3DM_CONSTELLATION_SETTINGS, "3dm.constellation_settings")
+           MIP_3DM_CONSTELLATION_SETTINGS, "3dm.constellation_settings", decode)
 MIP_LAYOUT(mip_3dm_gnss_sbas_settings, MIP_3DM_GNSS_SBAS_SETTINGS, MIP_3DM_GNSS_SBAS_SETTINGS,
-           "3dm.gnss_sbas_settings")
+           "3dm.gnss_sbas_settings", decode)
 MIP_LAYOUT(mip_3dm_gnss_assisted_fix, MIP_3DM_GNSS_ASSISTED_FIX, MIP_3DM_GNSS_ASSISTED_FIX,
-           "3dm.gnss_assisted_fix")
+           "3dm.gnss_assisted_fix", decode)
 MIP_LAYOUT(mip_3dm_gnss_time_assistance, MIP_3DM_GNSS_TIME_ASSISTANCE, MIP_3DM_GNSS_TIME_ASSISTANCE,
-           "3dm.gnss_time_assistance")
+           "3dm.gnss_time_assistance", decode)
 MIP_LAYOUT(mip_3dm_pps_source_control, MIP_3DM_PPS_SOURCE_CONTROL, MIP_3DM_PPS_SOURCE_CONTROL,
-           "3dm.pps_source_control")
+           "3dm.pps_source_control", decode)
 MIP_LAYOUT(mip_3dm_get_event_support, MIP_3DM_GET_EVENT_SUPPORT, MIP_3DM_GET_EVENT_SUPPORT,
-           "3dm.get_event_support")
-MIP_LAYOUT(mip_3dm_event_control, MIP_3DM_EVENT_CONTROL, MIP_3DM_EVENT_CONTROL, "3dm.event_control")
+           "3dm.get_event_support", decode_inline)
+MIP_LAYOUT(mip_3dm_event_control, MIP_3DM_EVENT_CONTROL, MIP_3DM_EVENT_CONTROL, "3dm.event_control",
+           decode)
 MIP_LAYOUT(mip_3dm_get_event_trigger_status, MIP_3DM_GET_EVENT_TRIGGER_STATUS,
-           MIP_3DM_GET_EVENT_TRIGGER_STATUS, "3dm.get_event_trigger_status")
+           MIP_3DM_GET_EVENT_TRIGGER_STATUS, "3dm.get_event_trigger_status", decode)
 MIP_LAYOUT(mip_3dm_get_event_action_status, MIP_3DM_GET_EVENT_ACTION_STATUS,
-           MIP_3DM_GET_EVENT_ACTION_STATUS, "3dm.get_event_action_status")
+           MIP_3DM_GET_EVENT_ACTION_STATUS, "3dm.get_event_action_status", decode)
 MIP_LAYOUT(mip_3dm_event_trigger_config, MIP_3DM_EVENT_TRIGGER_CONFIG, MIP_3DM_EVENT_TRIGGER_CONFIG,
-           "3dm.event_trigger_config")
+           "3dm.event_trigger_config", decode)
 MIP_LAYOUT(mip_3dm_event_action_config, MIP_3DM_EVENT_ACTION_CONFIG, MIP_3DM_EVENT_ACTION_CONFIG,
-           "3dm.event_action_config")
+           "3dm.event_action_config", decode)
 MIP_LAYOUT(mip_3dm_device_settings, MIP_3DM_DEVICE_SETTINGS, MIP_3DM_DEVICE_SETTINGS,
-           "3dm.device_settings")
+           "3dm.device_settings", decode_inline)
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_euler, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER, "3dm.sensor_to_vehicle_transform_euler")
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER, "3dm.sensor_to_vehicle_transform_euler",
+           decode)
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_quaternion,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION,
-           "3dm.sensor_to_vehicle_transform_quaternion")
+           "3dm.sensor_to_vehicle_transform_quaternion", decode)
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_dcm, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM,
-           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM, "3dm.sensor_to_vehicle_transform_dcm")
+           MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM, "3dm.sensor_to_vehicle_transform_dcm", decode)
 MIP_LAYOUT(mip_3dm_gps_dynamics_mode, MIP_3DM_GPS_DYNAMICS_MODE, MIP_3DM_GPS_DYNAMICS_MODE,
-           "3dm.gps_dynamics_mode")
+           "3dm.gps_dynamics_mode", decode)
 MIP_LAYOUT(mip_3dm_imu_signal_conditioning, MIP_3DM_IMU_SIGNAL_CONDITIONING,
-           MIP_3DM_IMU_SIGNAL_CONDITIONING, "3dm.imu_signal_conditioning")
-MIP_LAYOUT(mip_3dm_imu_timestamp, MIP_3DM_IMU_TIMESTAMP, MIP_3DM_IMU_TIMESTAMP, "3dm.imu_timestamp")
-MIP_LAYOUT(mip_3dm_accel_bias, MIP_3DM_ACCEL_BIAS, MIP_3DM_ACCEL_BIAS, "3dm.accel_bias")
-MIP_LAYOUT(mip_3dm_gyro_bias, MIP_3DM_GYRO_BIAS, MIP_3DM_GYRO_BIAS, "3dm.gyro_bias")
+           MIP_3DM_IMU_SIGNAL_CONDITIONING, "3dm.imu_signal_conditioning", decode)
+MIP_LAYOUT(mip_3dm_imu_timestamp, MIP_3DM_IMU_TIMESTAMP, MIP_3DM_IMU_TIMESTAMP, "3dm.imu_timestamp",
+           decode)
+MIP_LAYOUT(mip_3dm_accel_bias, MIP_3DM_ACCEL_BIAS, MIP_3DM_ACCEL_BIAS, "3dm.accel_bias", decode)
+MIP_LAYOUT(mip_3dm_gyro_bias, MIP_3DM_GYRO_BIAS, MIP_3DM_GYRO_BIAS, "3dm.gyro_bias", decode)
 MIP_LAYOUT(mip_3dm_capture_gyro_bias, MIP_3DM_CAPTURE_GYRO_BIAS, MIP_3DM_CAPTURE_GYRO_BIAS,
-           "3dm.capture_gyro_bias")
+           "3dm.capture_gyro_bias", decode_inline)
 MIP_LAYOUT(mip_3dm_mag_hard_iron_offset, MIP_3DM_MAG_HARD_IRON_OFFSET, MIP_3DM_MAG_HARD_IRON_OFFSET,
-           "3dm.mag_hard_iron_offset")
+           "3dm.mag_hard_iron_offset", decode)
 MIP_LAYOUT(mip_3dm_mag_soft_iron_matrix, MIP_3DM_MAG_SOFT_IRON_MATRIX, MIP_3DM_MAG_SOFT_IRON_MATRIX,
-           "3dm.mag_soft_iron_matrix")
+           "3dm.mag_soft_iron_matrix", decode)
 MIP_LAYOUT(mip_3dm_coning_sculling_enable, MIP_3DM_CONING_SCULLING_ENABLE,
-           MIP_3DM_CONING_SCULLING_ENABLE, "3dm.coning_sculling_enable")
+           MIP_3DM_CONING_SCULLING_ENABLE, "3dm.coning_sculling_enable", decode)
 MIP_LAYOUT(mip_3dm_uart_baud_rate, MIP_3DM_UART_BAUD_RATE, MIP_3DM_UART_BAUD_RATE,
-           "3dm.uart_baud_rate")
-MIP_LAYOUT(mip_3dm_gpio_config, MIP_3DM_GPIO_CONFIG, MIP_3DM_GPIO_CONFIG, "3dm.gpio_config")
-MIP_LAYOUT(mip_3dm_gpio_state, MIP_3DM_GPIO_STATE, MIP_3DM_GPIO_STATE, "3dm.gpio_state")
+           "3dm.uart_baud_rate", decode)
+MIP_LAYOUT(mip_3dm_gpio_config, MIP_3DM_GPIO_CONFIG, MIP_3DM_GPIO_CONFIG, "3dm.gpio_config", decode)
+MIP_LAYOUT(mip_3dm_gpio_state, MIP_3DM_GPIO_STATE, MIP_3DM_GPIO_STATE, "3dm.gpio_state", decode)
 MIP_LAYOUT(mip_3dm_odometer_config, MIP_3DM_ODOMETER_CONFIG, MIP_3DM_ODOMETER_CONFIG,
-           "3dm.odometer_config")
+           "3dm.odometer_config", decode)
 MIP_LAYOUT(mip_3dm_imu_low_pass_filter, MIP_3DM_IMU_LOW_PASS_FILTER, MIP_3DM_IMU_LOW_PASS_FILTER,
-           "3dm.imu_low_pass_filter")
+           "3dm.imu_low_pass_filter", decode)
 MIP_LAYOUT(mip_3dm_complementary_filter, MIP_3DM_COMPLEMENTARY_FILTER, MIP_3DM_COMPLEMENTARY_FILTER,
-           "3dm.complementary_filter")
-MIP_LAYOUT(mip_3dm_sensor_range, MIP_3DM_SENSOR_RANGE, MIP_3DM_SENSOR_RANGE, "3dm.sensor_range")
+           "3dm.complementary_filter", decode)
+MIP_LAYOUT(mip_3dm_sensor_range, MIP_3DM_SENSOR_RANGE, MIP_3DM_SENSOR_RANGE, "3dm.sensor_range",
+           decode)
 MIP_LAYOUT(mip_3dm_get_calibrated_sensor_ranges, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES,
-           MIP_3DM_GET_CALIBRATED_SENSOR_RANGES, "3dm.get_calibrated_sensor_ranges")
+           MIP_3DM_GET_CALIBRATED_SENSOR_RANGES, "3dm.get_calibrated_sensor_ranges", decode_inline)
 MIP_LAYOUT(mip_3dm_low_pass_filter, MIP_3DM_LOW_PASS_FILTER, MIP_3DM_LOW_PASS_FILTER,
-           "3dm.low_pass_filter")
+           "3dm.low_pass_filter", decode)
 MIP_LAYOUT(mip_3dm_data_stream_format, MIP_3DM_DATA_STREAM_FORMAT, MIP_3DM_DATA_STREAM_FORMAT,
-           "3dm.data_stream_format")
+           "3dm.data_stream_format", decode)
 MIP_LAYOUT(mip_3dm_device_power_state, MIP_3DM_DEVICE_POWER_STATE, MIP_3DM_DEVICE_POWER_STATE,
-           "3dm.device_power_state")
+           "3dm.device_power_state", decode)
 MIP_LAYOUT(mip_3dm_gps_advanced_settings, MIP_3DM_GPS_ADVANCED_SETTINGS,
-           MIP_3DM_GPS_ADVANCED_SETTINGS, "3dm.gps_advanced_settings")
-MIP_LAYOUT(mip_3dm_device_status, MIP_3DM_DEVICE_STATUS, MIP_3DM_DEVICE_STATUS, "3dm.device_status")
+           MIP_3DM_GPS_ADVANCED_SETTINGS, "3dm.gps_advanced_settings", decode_inline)
+MIP_LAYOUT(mip_3dm_device_status, MIP_3DM_DEVICE_STATUS, MIP_3DM_DEVICE_STATUS, "3dm.device_status",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_imu_message_format_response, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE, "3dm.imu_message_format_response")
+           MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE, "3dm.imu_message_format_response", decode)
 MIP_LAYOUT(mip_3dm_gnss_message_format_response, MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE, "3dm.gnss_message_format_response")
+           MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE, "3dm.gnss_message_format_response", decode)
 MIP_LAYOUT(mip_3dm_filter_message_format_response, MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE, "3dm.filter_message_format_response")
+           MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE, "3dm.filter_message_format_response", decode)
 MIP_LAYOUT(mip_3dm_get_imu_base_rate_response, MIP_3DM_GET_IMU_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_IMU_BASE_RATE_RESPONSE, "3dm.get_imu_base_rate_response")
+           MIP_3DM_GET_IMU_BASE_RATE_RESPONSE, "3dm.get_imu_base_rate_response", decode_inline)
 MIP_LAYOUT(mip_3dm_get_gnss_base_rate_response, MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE, "3dm.get_gnss_base_rate_response")
+           MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE, "3dm.get_gnss_base_rate_response", decode_inline)
 MIP_LAYOUT(mip_3dm_data_stream_control_response, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE,
-           MIP_3DM_DATA_STREAM_CONTROL_RESPONSE, "3dm.data_stream_control_response")
+           MIP_3DM_DATA_STREAM_CONTROL_RESPONSE, "3dm.data_stream_control_response", decode_inline)
 MIP_LAYOUT(mip_3dm_imu_signal_conditioning_response, MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE,
-           MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE, "3dm.imu_signal_conditioning_response")
+           MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE, "3dm.imu_signal_conditioning_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_uart_baud_rate_response, MIP_3DM_UART_BAUD_RATE_RESPONSE,
-           MIP_3DM_UART_BAUD_RATE_RESPONSE, "3dm.uart_baud_rate_response")
+           MIP_3DM_UART_BAUD_RATE_RESPONSE, "3dm.uart_baud_rate_response", decode_inline)
 MIP_LAYOUT(mip_3dm_data_stream_format_response, MIP_3DM_DATA_STREAM_FORMAT_RESPONSE,
-           MIP_3DM_DATA_STREAM_FORMAT_RESPONSE, "3dm.data_stream_format_response")
+           MIP_3DM_DATA_STREAM_FORMAT_RESPONSE, "3dm.data_stream_format_response", decode_inline)
 MIP_LAYOUT(mip_3dm_device_power_state_response, MIP_3DM_DEVICE_POWER_STATE_RESPONSE,
-           MIP_3DM_DEVICE_POWER_STATE_RESPONSE, "3dm.device_power_state_response")
+           MIP_3DM_DEVICE_POWER_STATE_RESPONSE, "3dm.device_power_state_response", decode_inline)
 MIP_LAYOUT(mip_3dm_get_filter_base_rate_response, MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE, "3dm.get_filter_base_rate_response")
+           MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE, "3dm.get_filter_base_rate_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_imu_low_pass_filter_response, MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE,
-           MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE, "3dm.imu_low_pass_filter_response")
+           MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE, "3dm.imu_low_pass_filter_response", decode_inline)
 MIP_LAYOUT(mip_3dm_nmea_message_format_response, MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE, "3dm.nmea_message_format_response")
+           MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE, "3dm.nmea_message_format_response", decode)
 MIP_LAYOUT(mip_3dm_get_base_rate_response, MIP_3DM_GET_BASE_RATE_RESPONSE,
-           MIP_3DM_GET_BASE_RATE_RESPONSE, "3dm.get_base_rate_response")
+           MIP_3DM_GET_BASE_RATE_RESPONSE, "3dm.get_base_rate_response", decode_inline)
 MIP_LAYOUT(mip_3dm_message_format_response, MIP_3DM_MESSAGE_FORMAT_RESPONSE,
-           MIP_3DM_MESSAGE_FORMAT_RESPONSE, "3dm.message_format_response")
+           MIP_3DM_MESSAGE_FORMAT_RESPONSE, "3dm.message_format_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_basic_rq1_imu_response,
            MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE, "3dm.device_status_basic_rq1_imu_response")
+           MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE, "3dm.device_status_basic_rq1_imu_response",
+           decode)
 MIP_LAYOUT(mip_3dm_device_status_basic_response, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE, "3dm.device_status_basic_response")
+           MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE, "3dm.device_status_basic_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_basic_without_state_response,
            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE,
            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE,
-           "3dm.device_status_basic_without_state_response")
+           "3dm.device_status_basic_without_state_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_response, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE, "3dm.device_status_diagnostic_response")
+           MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE, "3dm.device_status_diagnostic_response",
+           decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gnss_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE,
-           "3dm.device_status_diagnostic_gnss_response")
+           "3dm.device_status_diagnostic_gnss_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gq4_45_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE,
-           "3dm.device_status_diagnostic_gq4_45_response")
+           "3dm.device_status_diagnostic_gq4_45_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_rq1_45_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE,
-           "3dm.device_status_diagnostic_rq1_45_response")
+           "3dm.device_status_diagnostic_rq1_45_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx4_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE,
-           "3dm.device_status_diagnostic_gx4_response")
+           "3dm.device_status_diagnostic_gx4_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE,
-           "3dm.device_status_diagnostic_imu_response")
+           "3dm.device_status_diagnostic_imu_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx4_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE,
-           "3dm.device_status_diagnostic_gx4_imu_response")
+           "3dm.device_status_diagnostic_gx4_imu_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_rq1_imu_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE,
-           "3dm.device_status_diagnostic_rq1_imu_response")
+           "3dm.device_status_diagnostic_rq1_imu_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_basic_gx3_response, MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE,
-           MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE, "3dm.device_status_basic_gx3_response")
+           MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE, "3dm.device_status_basic_gx3_response", decode)
 MIP_LAYOUT(mip_3dm_device_status_diagnostic_gx3_response,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE,
            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE,
-           "3dm.device_status_diagnostic_gx3_response")
+           "3dm.device_status_diagnostic_gx3_response", decode)
 MIP_LAYOUT(mip_3dm_gps_dynamics_mode_response, MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE,
-           MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE, "3dm.gps_dynamics_mode_response")
+           MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE, "3dm.gps_dynamics_mode_response", decode_inline)
 MIP_LAYOUT(mip_3dm_imu_timestamp_response, MIP_3DM_IMU_TIMESTAMP_RESPONSE,
-           MIP_3DM_IMU_TIMESTAMP_RESPONSE, "3dm.imu_timestamp_response")
+           MIP_3DM_IMU_TIMESTAMP_RESPONSE, "3dm.imu_timestamp_response", decode_inline)
 MIP_LAYOUT(mip_3dm_complementary_filter_response, MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE,
-           MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE, "3dm.complementary_filter_response")
+           MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE, "3dm.complementary_filter_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_accel_bias_response, MIP_3DM_ACCEL_BIAS_RESPONSE, MIP_3DM_ACCEL_BIAS_RESPONSE,
-           "3dm.accel_bias_response")
+           "3dm.accel_bias_response", decode_inline)
 MIP_LAYOUT(mip_3dm_gyro_bias_response, MIP_3DM_GYRO_BIAS_RESPONSE, MIP_3DM_GYRO_BIAS_RESPONSE,
-           "3dm.gyro_bias_response")
+           "3dm.gyro_bias_response", decode_inline)
 MIP_LAYOUT(mip_3dm_mag_hard_iron_offset_response, MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE,
-           MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE, "3dm.mag_hard_iron_offset_response")
+           MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE, "3dm.mag_hard_iron_offset_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_mag_soft_iron_matrix_response, MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE,
-           MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE, "3dm.mag_soft_iron_matrix_response")
+           MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE, "3dm.mag_soft_iron_matrix_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_coning_sculling_enable_response, MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE,
-           MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE, "3dm.coning_sculling_enable_response")
+           MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE, "3dm.coning_sculling_enable_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_constellation_settings_response, MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE,
-           MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE, "3dm.constellation_settings_response")
+           MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE, "3dm.constellation_settings_response", decode)
 MIP_LAYOUT(mip_3dm_gnss_sbas_settings_response, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE,
-           MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE, "3dm.gnss_sbas_settings_response")
+           MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE, "3dm.gnss_sbas_settings_response", decode)
 MIP_LAYOUT(mip_3dm_gnss_assisted_fix_response, MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE,
-           MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE, "3dm.gnss_assisted_fix_response")
+           MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE, "3dm.gnss_assisted_fix_response", decode_inline)
 MIP_LAYOUT(mip_3dm_gnss_time_assistance_response, MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE,
-           MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE, "3dm.gnss_time_assistance_response")
+           MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE, "3dm.gnss_time_assistance_response",
+           decode_inline)
 MIP_LAYOUT(mip_3dm_pps_source_control_response, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE,
-           MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE, "3dm.pps_source_control_response")
+           MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE, "3dm.pps_source_control_response", decode_inline)
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_euler_response,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE,
-           "3dm.sensor_to_vehicle_transform_euler_response")
+           "3dm.sensor_to_vehicle_transform_euler_response", decode_inline)
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_quaternion_response,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE,
-           "3dm.sensor_to_vehicle_transform_quaternion_response")
+           "3dm.sensor_to_vehicle_transform_quaternion_response", decode_inline)
 MIP_LAYOUT(mip_3dm_sensor_to_vehicle_transform_dcm_response,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE,
            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE,
-           "3dm.sensor_to_vehicle_transform_dcm_response")
+           "3dm.sensor_to_vehicle_transform_dcm_response", decode_inline)
 MIP_LAYOUT(mip_3dm_get_event_support_response, MIP_3DM_GET_EVENT_SUPPORT_RESPONSE,
-           MIP_3DM_GET_EVENT_SUPPORT_RESPONSE, "3dm.get_event_support_response")
+           MIP_3DM_GET_EVENT_SUPPORT_RESPONSE, "3dm.get_event_support_response", decode)
 MIP_LAYOUT(mip_3dm_event_control_response, MIP_3DM_EVENT_CONTROL_RESPONSE,
-           MIP_3DM_EVENT_CONTROL_RESPONSE, "3dm.event_control_response")
+           MIP_3DM_EVENT_CONTROL_RESPONSE, "3dm.event_control_response", decode_inline)
 MIP_LAYOUT(mip_3dm_get_event_trigger_status_response, MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE,
-           MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE, "3dm.get_event_trigger_status_response")
+           MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE, "3dm.get_event_trigger_status_response",
+           decode)
 MIP_LAYOUT(mip_3dm_get_event_action_status_response, MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE,
-           MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE, "3dm.get_event_action_status_response")
+           MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE, "3dm.get_event_action_status_response", decode)
 MIP_LAYOUT(mip_3dm_event_trigger_config_response, MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE,
-           MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE, "3dm.event_trigger_config_response")
+           MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE, "3dm.event_trigger_config_response", decode)
 MIP_LAYOUT(mip_3dm_event_action_config_response, MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE,
-           MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE, "3dm.event_action_config_response")
+           MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE, "3dm.event_action_config_response", decode)
 MIP_LAYOUT(mip_3dm_gpio_config_response, MIP_3DM_GPIO_CONFIG_RESPONSE, MIP_3DM_GPIO_CONFIG_RESPONSE,
-           "3dm.gpio_config_response")
+           "3dm.gpio_config_response", decode_inline)
 MIP_LAYOUT(mip_3dm_gpio_state_response, MIP_3DM_GPIO_STATE_RESPONSE, MIP_3DM_GPIO_STATE_RESPONSE,
-           "3dm.gpio_state_response")
+           "3dm.gpio_state_response", decode_inline)
 MIP_LAYOUT(mip_3dm_odometer_config_response, MIP_3DM_ODOMETER_CONFIG_RESPONSE,
-           MIP_3DM_ODOMETER_CONFIG_RESPONSE, "3dm.odometer_config_response")
+           MIP_3DM_ODOMETER_CONFIG_RESPONSE, "3dm.odometer_config_response", decode_inline)
 MIP_LAYOUT(mip_3dm_sensor_range_response, MIP_3DM_SENSOR_RANGE_RESPONSE,
-           MIP_3DM_SENSOR_RANGE_RESPONSE, "3dm.sensor_range_response")
+           MIP_3DM_SENSOR_RANGE_RESPONSE, "3dm.sensor_range_response", decode_inline)
 MIP_LAYOUT(mip_3dm_get_calibrated_sensor_ranges_response,
            MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE,
            MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE,
-           "3dm.get_calibrated_sensor_ranges_response")
+           "3dm.get_calibrated_sensor_ranges_response", decode)
 MIP_LAYOUT(mip_3dm_low_pass_filter_response, MIP_3DM_LOW_PASS_FILTER_RESPONSE,
-           MIP_3DM_LOW_PASS_FILTER_RESPONSE, "3dm.low_pass_filter_response")
+           MIP_3DM_LOW_PASS_FILTER_RESPONSE, "3dm.low_pass_filter_response", decode_inline)
 
 /** 3DM */
 inline constexpr std::uint8_t mip_3dm_set = MIP_3DM_SET;

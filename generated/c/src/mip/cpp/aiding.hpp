@@ -5,42 +5,43 @@
 #ifndef MIP_AIDING_HPP
 #define MIP_AIDING_HPP
 
-#include "mip/aiding.h"
+#include "mip/aiding_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_aiding_frame_config, MIP_AIDING_FRAME_CONFIG, MIP_AIDING_FRAME_CONFIG,
-           "aiding.frame_config")
+           "aiding.frame_config", decode)
 MIP_LAYOUT(mip_aiding_sensor_frame_map, MIP_AIDING_SENSOR_FRAME_MAP, MIP_AIDING_SENSOR_FRAME_MAP,
-           "aiding.sensor_frame_map")
+           "aiding.sensor_frame_map", decode)
 MIP_LAYOUT(mip_aiding_echo_control, MIP_AIDING_ECHO_CONTROL, MIP_AIDING_ECHO_CONTROL,
-           "aiding.echo_control")
+           "aiding.echo_control", decode)
 MIP_LAYOUT(mip_aiding_ecef_position, MIP_AIDING_ECEF_POSITION, MIP_AIDING_ECEF_POSITION,
-           "aiding.ecef_position")
+           "aiding.ecef_position", decode_inline)
 MIP_LAYOUT(mip_aiding_llh_position, MIP_AIDING_LLH_POSITION, MIP_AIDING_LLH_POSITION,
-           "aiding.llh_position")
+           "aiding.llh_position", decode_inline)
 MIP_LAYOUT(mip_aiding_height_above_ellipsoid, MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID,
-           MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID, "aiding.height_above_ellipsoid")
+           MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID, "aiding.height_above_ellipsoid", decode_inline)
 MIP_LAYOUT(mip_aiding_pressure_old, MIP_AIDING_PRESSURE_OLD, MIP_AIDING_PRESSURE_OLD,
-           "aiding.pressure_old")
+           "aiding.pressure_old", decode_inline)
 MIP_LAYOUT(mip_aiding_ecef_velocity, MIP_AIDING_ECEF_VELOCITY, MIP_AIDING_ECEF_VELOCITY,
-           "aiding.ecef_velocity")
+           "aiding.ecef_velocity", decode_inline)
 MIP_LAYOUT(mip_aiding_ned_velocity, MIP_AIDING_NED_VELOCITY, MIP_AIDING_NED_VELOCITY,
-           "aiding.ned_velocity")
+           "aiding.ned_velocity", decode_inline)
 MIP_LAYOUT(mip_aiding_body_frame_velocity, MIP_AIDING_BODY_FRAME_VELOCITY,
-           MIP_AIDING_BODY_FRAME_VELOCITY, "aiding.body_frame_velocity")
+           MIP_AIDING_BODY_FRAME_VELOCITY, "aiding.body_frame_velocity", decode_inline)
 MIP_LAYOUT(mip_aiding_true_heading, MIP_AIDING_TRUE_HEADING, MIP_AIDING_TRUE_HEADING,
-           "aiding.true_heading")
+           "aiding.true_heading", decode_inline)
 MIP_LAYOUT(mip_aiding_magnetic_field, MIP_AIDING_MAGNETIC_FIELD, MIP_AIDING_MAGNETIC_FIELD,
-           "aiding.magnetic_field")
-MIP_LAYOUT(mip_aiding_pressure, MIP_AIDING_PRESSURE, MIP_AIDING_PRESSURE, "aiding.pressure")
+           "aiding.magnetic_field", decode_inline)
+MIP_LAYOUT(mip_aiding_pressure, MIP_AIDING_PRESSURE, MIP_AIDING_PRESSURE, "aiding.pressure",
+           decode_inline)
 MIP_LAYOUT(mip_aiding_frame_config_response, MIP_AIDING_FRAME_CONFIG_RESPONSE,
-           MIP_AIDING_FRAME_CONFIG_RESPONSE, "aiding.frame_config_response")
+           MIP_AIDING_FRAME_CONFIG_RESPONSE, "aiding.frame_config_response", decode)
 MIP_LAYOUT(mip_aiding_sensor_frame_map_response, MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE,
-           MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE, "aiding.sensor_frame_map_response")
+           MIP_AIDING_SENSOR_FRAME_MAP_RESPONSE, "aiding.sensor_frame_map_response", decode_inline)
 MIP_LAYOUT(mip_aiding_echo_control_response, MIP_AIDING_ECHO_CONTROL_RESPONSE,
-           MIP_AIDING_ECHO_CONTROL_RESPONSE, "aiding.echo_control_response")
+           MIP_AIDING_ECHO_CONTROL_RESPONSE, "aiding.echo_control_response", decode_inline)
 
 /** Aiding commands */
 inline constexpr std::uint8_t aiding_set = MIP_AIDING_SET;

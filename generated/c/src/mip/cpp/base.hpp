@@ -5,46 +5,49 @@
 #ifndef MIP_BASE_HPP
 #define MIP_BASE_HPP
 
-#include "mip/base.h"
+#include "mip/base_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
-MIP_LAYOUT(mip_base_ping, MIP_BASE_PING, MIP_BASE_PING, "base.ping")
-MIP_LAYOUT(mip_base_set_idle, MIP_BASE_SET_IDLE, MIP_BASE_SET_IDLE, "base.set_idle")
+MIP_LAYOUT(mip_base_ping, MIP_BASE_PING, MIP_BASE_PING, "base.ping", decode)
+MIP_LAYOUT(mip_base_set_idle, MIP_BASE_SET_IDLE, MIP_BASE_SET_IDLE, "base.set_idle", decode)
 MIP_LAYOUT(mip_base_get_device_info, MIP_BASE_GET_DEVICE_INFO, MIP_BASE_GET_DEVICE_INFO,
-           "base.get_device_info")
+           "base.get_device_info", decode)
 MIP_LAYOUT(mip_base_get_device_descriptors, MIP_BASE_GET_DEVICE_DESCRIPTORS,
-           MIP_BASE_GET_DEVICE_DESCRIPTORS, "base.get_device_descriptors")
+           MIP_BASE_GET_DEVICE_DESCRIPTORS, "base.get_device_descriptors", decode)
 MIP_LAYOUT(mip_base_built_in_test, MIP_BASE_BUILT_IN_TEST, MIP_BASE_BUILT_IN_TEST,
-           "base.built_in_test")
-MIP_LAYOUT(mip_base_resume, MIP_BASE_RESUME, MIP_BASE_RESUME, "base.resume")
+           "base.built_in_test", decode)
+MIP_LAYOUT(mip_base_resume, MIP_BASE_RESUME, MIP_BASE_RESUME, "base.resume", decode)
 MIP_LAYOUT(mip_base_get_extended_descriptors, MIP_BASE_GET_EXTENDED_DESCRIPTORS,
-           MIP_BASE_GET_EXTENDED_DESCRIPTORS, "base.get_extended_descriptors")
+           MIP_BASE_GET_EXTENDED_DESCRIPTORS, "base.get_extended_descriptors", decode)
 MIP_LAYOUT(mip_base_continuous_built_in_test, MIP_BASE_CONTINUOUS_BUILT_IN_TEST,
-           MIP_BASE_CONTINUOUS_BUILT_IN_TEST, "base.continuous_built_in_test")
-MIP_LAYOUT(mip_base_comm_speed, MIP_BASE_COMM_SPEED, MIP_BASE_COMM_SPEED, "base.comm_speed")
+           MIP_BASE_CONTINUOUS_BUILT_IN_TEST, "base.continuous_built_in_test", decode)
+MIP_LAYOUT(mip_base_comm_speed, MIP_BASE_COMM_SPEED, MIP_BASE_COMM_SPEED, "base.comm_speed", decode)
 MIP_LAYOUT(mip_base_gps_time_update, MIP_BASE_GPS_TIME_UPDATE, MIP_BASE_GPS_TIME_UPDATE,
-           "base.gps_time_update")
-MIP_LAYOUT(mip_base_soft_reset, MIP_BASE_SOFT_RESET, MIP_BASE_SOFT_RESET, "base.soft_reset")
+           "base.gps_time_update", decode)
+MIP_LAYOUT(mip_base_soft_reset, MIP_BASE_SOFT_RESET, MIP_BASE_SOFT_RESET, "base.soft_reset", decode)
 MIP_LAYOUT(mip_base_get_device_info_response, MIP_BASE_GET_DEVICE_INFO_RESPONSE,
-           MIP_BASE_GET_DEVICE_INFO_RESPONSE, "base.get_device_info_response")
+           MIP_BASE_GET_DEVICE_INFO_RESPONSE, "base.get_device_info_response", decode_inline)
 MIP_LAYOUT(mip_base_get_device_descriptors_response, MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE,
-           MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE, "base.get_device_descriptors_response")
+           MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE, "base.get_device_descriptors_response", decode)
 MIP_LAYOUT(mip_base_built_in_test_response, MIP_BASE_BUILT_IN_TEST_RESPONSE,
-           MIP_BASE_BUILT_IN_TEST_RESPONSE, "base.built_in_test_response")
+           MIP_BASE_BUILT_IN_TEST_RESPONSE, "base.built_in_test_response", decode_inline)
 MIP_LAYOUT(mip_base_gps_time_update_week_number_response,
            MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE,
            MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE,
-           "base.gps_time_update_week_number_response")
+           "base.gps_time_update_week_number_response", decode_inline)
 MIP_LAYOUT(mip_base_gps_time_update_tow_response, MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE,
-           MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE, "base.gps_time_update_tow_response")
+           MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE, "base.gps_time_update_tow_response",
+           decode_inline)
 MIP_LAYOUT(mip_base_get_extended_descriptors_response, MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE,
-           MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE, "base.get_extended_descriptors_response")
+           MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE, "base.get_extended_descriptors_response",
+           decode)
 MIP_LAYOUT(mip_base_continuous_built_in_test_response, MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE,
-           MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE, "base.continuous_built_in_test_response")
+           MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE, "base.continuous_built_in_test_response",
+           decode_inline)
 MIP_LAYOUT(mip_base_comm_speed_response, MIP_BASE_COMM_SPEED_RESPONSE, MIP_BASE_COMM_SPEED_RESPONSE,
-           "base.comm_speed_response")
+           "base.comm_speed_response", decode_inline)
 
 /** Base */
 inline constexpr std::uint8_t base_set = MIP_BASE_SET;

@@ -39,15 +39,16 @@ namespace mip {
 
 /**
  * Facts about a layout: `key`, as mip_field_key returns it, or 0 if the layout occurs in several
- * descriptor sets; `descriptor`; `name`, as in the specification; and `codec()`. The headers of
- * descriptor sets specialize it for each C structure; types derived from one have the same facts.
+ * descriptor sets; `descriptor`; `name`, as in the specification; `codec()`; and `decode`, without
+ * tables if its size is fixed. The headers of descriptor sets specialize it for each C structure;
+ * types derived from one have the same facts.
  */
 template <class T, class = void> struct traits;
 template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
 /** Marks a C structure as a layout. */
-#define MIP_LAYOUT(type, constant, number, words)                         \
+#define MIP_LAYOUT(type, constant, number, words, decoder)                \
     template <> struct traits<::type> {                                   \
         using c_type = ::type;                                            \
         static constexpr std::uint16_t key = number;                      \
@@ -55,6 +56,9 @@ struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {
         static constexpr std::string_view name = words;                   \
         static const mip_codec &codec() {                                 \
             return ::type##_codec;                                        \
+        }                                                                 \
+        static mip_error decode(::type *to, const mip_field *from) {      \
+            return ::type##_##decoder(to, from);                          \
         }                                                                 \
     };
 
@@ -318,7 +322,7 @@ struct field : mip_field {
     /** Returns its value, if it is of this type. */
     template <MIP_LAYOUT_TYPE T> std::optional<T> as() const {
         T value;
-        if (descriptor != traits<T>::descriptor || decode(value) != MIP_OK) {
+        if (descriptor != traits<T>::descriptor || traits<T>::decode(&value, this) != MIP_OK) {
             return std::nullopt;
         }
         return value;
@@ -553,22 +557,15 @@ void call(Handler &handler, const T &value, const field &from, More... more) {
 }
 
 /** Calls a handler if it is for this field. */
-template <class Handler> bool offer(const field &from, std::uint16_t key, Handler &handler) {
+template <class Handler> bool offer(const field &from, Handler &handler) {
     using T = handled_by<Handler>;
     if constexpr (std::is_same_v<T, field>) {
-        (void)key;
         handler(from);
         return true;
     } else {
-        if (traits<T>::key != 0 ? key != traits<T>::key
-                                : from.descriptor != traits<T>::descriptor) {
-            return false;
-        }
         T value;
-        c_type<T> &to = value;
-        /* its descriptor has been compared */
-        if (mip_decode_only(&traits<T>::codec(), from.descriptor, &to, sizeof(to), &from) !=
-            MIP_OK) {
+        if (from.descriptor != traits<T>::descriptor ||
+            traits<T>::decode(&value, &from) != MIP_OK) {
             return false;
         }
         call(handler, value, from);
@@ -584,13 +581,14 @@ template <class Handler> bool offer(const field &from, std::uint16_t key, Handle
  * called with every field that no earlier handler accepts. Returns true if any was called.
  */
 template <class... Handlers> bool dispatch(const field &from, Handlers &&...handlers) {
-    [[maybe_unused]] const std::uint16_t key = from.key();
-    return (detail::offer(from, key, handlers) || ...);
+    return (detail::offer(from, handlers) || ...);
 }
 
 /** Dispatches each field of a packet. */
 template <class... Handlers> void dispatch(const packet &from, Handlers &&...handlers) {
-    for (const field each : from) {
+    mip_walk walk = mip_walk_packet(&from);
+    field each;
+    while (mip_walk_next(&walk, &each)) {
         dispatch(each, handlers...);
     }
 }

@@ -5,21 +5,23 @@
 #ifndef MIP_DISPLACEMENT_HPP
 #define MIP_DISPLACEMENT_HPP
 
-#include "mip/displacement.h"
+#include "mip/displacement_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_displacement_get_calibration, MIP_DISPLACEMENT_GET_CALIBRATION,
-           MIP_DISPLACEMENT_GET_CALIBRATION, "displacement.get_calibration")
+           MIP_DISPLACEMENT_GET_CALIBRATION, "displacement.get_calibration", decode)
 MIP_LAYOUT(mip_displacement_output_rate, MIP_DISPLACEMENT_OUTPUT_RATE, MIP_DISPLACEMENT_OUTPUT_RATE,
-           "displacement.output_rate")
+           "displacement.output_rate", decode_inline)
 MIP_LAYOUT(mip_displacement_device_time, MIP_DISPLACEMENT_DEVICE_TIME, MIP_DISPLACEMENT_DEVICE_TIME,
-           "displacement.device_time")
+           "displacement.device_time", decode)
 MIP_LAYOUT(mip_displacement_get_calibration_response, MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE,
-           MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE, "displacement.get_calibration_response")
+           MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE, "displacement.get_calibration_response",
+           decode_inline)
 MIP_LAYOUT(mip_displacement_output_rate_response, MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE,
-           MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE, "displacement.output_rate_response")
+           MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE, "displacement.output_rate_response",
+           decode_inline)
 
 /** Displacement commands */
 inline constexpr std::uint8_t displacement_set = MIP_DISPLACEMENT_SET;

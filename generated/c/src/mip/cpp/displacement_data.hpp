@@ -5,17 +5,18 @@
 #ifndef MIP_DISPLACEMENT_DATA_HPP
 #define MIP_DISPLACEMENT_DATA_HPP
 
-#include "mip/displacement_data.h"
+#include "mip/displacement_data_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_displacement_data_displacement_raw, MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW,
-           MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW, "displacement_data.displacement_raw")
+           MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW, "displacement_data.displacement_raw",
+           decode_inline)
 MIP_LAYOUT(mip_displacement_data_displacement, MIP_DISPLACEMENT_DATA_DISPLACEMENT,
-           MIP_DISPLACEMENT_DATA_DISPLACEMENT, "displacement_data.displacement")
+           MIP_DISPLACEMENT_DATA_DISPLACEMENT, "displacement_data.displacement", decode_inline)
 MIP_LAYOUT(mip_displacement_data_timestamp, MIP_DISPLACEMENT_DATA_TIMESTAMP,
-           MIP_DISPLACEMENT_DATA_TIMESTAMP, "displacement_data.timestamp")
+           MIP_DISPLACEMENT_DATA_TIMESTAMP, "displacement_data.timestamp", decode_inline)
 
 /** Displacement data */
 inline constexpr std::uint8_t displacement_data_set = MIP_DISPLACEMENT_DATA_SET;

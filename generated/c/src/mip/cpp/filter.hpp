@@ -5,235 +5,264 @@
 #ifndef MIP_FILTER_HPP
 #define MIP_FILTER_HPP
 
-#include "mip/filter.h"
+#include "mip/filter_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
-MIP_LAYOUT(mip_filter_reset, MIP_FILTER_RESET, MIP_FILTER_RESET, "filter.reset")
+MIP_LAYOUT(mip_filter_reset, MIP_FILTER_RESET, MIP_FILTER_RESET, "filter.reset", decode)
 MIP_LAYOUT(mip_filter_set_initial_attitude, MIP_FILTER_SET_INITIAL_ATTITUDE,
-           MIP_FILTER_SET_INITIAL_ATTITUDE, "filter.set_initial_attitude")
+           MIP_FILTER_SET_INITIAL_ATTITUDE, "filter.set_initial_attitude", decode_inline)
 MIP_LAYOUT(mip_filter_set_initial_heading, MIP_FILTER_SET_INITIAL_HEADING,
-           MIP_FILTER_SET_INITIAL_HEADING, "filter.set_initial_heading")
+           MIP_FILTER_SET_INITIAL_HEADING, "filter.set_initial_heading", decode_inline)
 MIP_LAYOUT(mip_filter_set_initial_attitude_from_imu, MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU,
-           MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU, "filter.set_initial_attitude_from_imu")
-MIP_LAYOUT(mip_filter_run, MIP_FILTER_RUN, MIP_FILTER_RUN, "filter.run")
+           MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU, "filter.set_initial_attitude_from_imu",
+           decode_inline)
+MIP_LAYOUT(mip_filter_run, MIP_FILTER_RUN, MIP_FILTER_RUN, "filter.run", decode)
 MIP_LAYOUT(mip_filter_vehicle_dynamics_mode, MIP_FILTER_VEHICLE_DYNAMICS_MODE,
-           MIP_FILTER_VEHICLE_DYNAMICS_MODE, "filter.vehicle_dynamics_mode")
+           MIP_FILTER_VEHICLE_DYNAMICS_MODE, "filter.vehicle_dynamics_mode", decode)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_euler, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER,
-           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER, "filter.sensor_to_vehicle_rotation_euler")
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER, "filter.sensor_to_vehicle_rotation_euler",
+           decode)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_offset, MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET,
-           MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET, "filter.sensor_to_vehicle_offset")
+           MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET, "filter.sensor_to_vehicle_offset", decode)
 MIP_LAYOUT(mip_filter_antenna_offset, MIP_FILTER_ANTENNA_OFFSET, MIP_FILTER_ANTENNA_OFFSET,
-           "filter.antenna_offset")
+           "filter.antenna_offset", decode)
 MIP_LAYOUT(mip_filter_estimation_control, MIP_FILTER_ESTIMATION_CONTROL,
-           MIP_FILTER_ESTIMATION_CONTROL, "filter.estimation_control")
+           MIP_FILTER_ESTIMATION_CONTROL, "filter.estimation_control", decode)
 MIP_LAYOUT(mip_filter_gnss_source, MIP_FILTER_GNSS_SOURCE, MIP_FILTER_GNSS_SOURCE,
-           "filter.gnss_source")
+           "filter.gnss_source", decode)
 MIP_LAYOUT(mip_filter_external_gnss_update, MIP_FILTER_EXTERNAL_GNSS_UPDATE,
-           MIP_FILTER_EXTERNAL_GNSS_UPDATE, "filter.external_gnss_update")
+           MIP_FILTER_EXTERNAL_GNSS_UPDATE, "filter.external_gnss_update", decode_inline)
 MIP_LAYOUT(mip_filter_external_heading_update, MIP_FILTER_EXTERNAL_HEADING_UPDATE,
-           MIP_FILTER_EXTERNAL_HEADING_UPDATE, "filter.external_heading_update")
+           MIP_FILTER_EXTERNAL_HEADING_UPDATE, "filter.external_heading_update", decode_inline)
 MIP_LAYOUT(mip_filter_heading_source, MIP_FILTER_HEADING_SOURCE, MIP_FILTER_HEADING_SOURCE,
-           "filter.heading_source")
+           "filter.heading_source", decode)
 MIP_LAYOUT(mip_filter_auto_initialization_control, MIP_FILTER_AUTO_INITIALIZATION_CONTROL,
-           MIP_FILTER_AUTO_INITIALIZATION_CONTROL, "filter.auto_initialization_control")
+           MIP_FILTER_AUTO_INITIALIZATION_CONTROL, "filter.auto_initialization_control", decode)
 MIP_LAYOUT(mip_filter_accel_noise, MIP_FILTER_ACCEL_NOISE, MIP_FILTER_ACCEL_NOISE,
-           "filter.accel_noise")
-MIP_LAYOUT(mip_filter_gyro_noise, MIP_FILTER_GYRO_NOISE, MIP_FILTER_GYRO_NOISE, "filter.gyro_noise")
+           "filter.accel_noise", decode)
+MIP_LAYOUT(mip_filter_gyro_noise, MIP_FILTER_GYRO_NOISE, MIP_FILTER_GYRO_NOISE, "filter.gyro_noise",
+           decode)
 MIP_LAYOUT(mip_filter_accel_bias_model, MIP_FILTER_ACCEL_BIAS_MODEL, MIP_FILTER_ACCEL_BIAS_MODEL,
-           "filter.accel_bias_model")
+           "filter.accel_bias_model", decode)
 MIP_LAYOUT(mip_filter_gyro_bias_model, MIP_FILTER_GYRO_BIAS_MODEL, MIP_FILTER_GYRO_BIAS_MODEL,
-           "filter.gyro_bias_model")
-MIP_LAYOUT(mip_filter_auto_zupt, MIP_FILTER_AUTO_ZUPT, MIP_FILTER_AUTO_ZUPT, "filter.auto_zupt")
+           "filter.gyro_bias_model", decode)
+MIP_LAYOUT(mip_filter_auto_zupt, MIP_FILTER_AUTO_ZUPT, MIP_FILTER_AUTO_ZUPT, "filter.auto_zupt",
+           decode)
 MIP_LAYOUT(mip_filter_external_heading_update_with_time,
            MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME,
-           MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME, "filter.external_heading_update_with_time")
+           MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME, "filter.external_heading_update_with_time",
+           decode_inline)
 MIP_LAYOUT(mip_filter_auto_angular_zupt, MIP_FILTER_AUTO_ANGULAR_ZUPT, MIP_FILTER_AUTO_ANGULAR_ZUPT,
-           "filter.auto_angular_zupt")
+           "filter.auto_angular_zupt", decode)
 MIP_LAYOUT(mip_filter_tare_orientation, MIP_FILTER_TARE_ORIENTATION, MIP_FILTER_TARE_ORIENTATION,
-           "filter.tare_orientation")
+           "filter.tare_orientation", decode)
 MIP_LAYOUT(mip_filter_commanded_zupt, MIP_FILTER_COMMANDED_ZUPT, MIP_FILTER_COMMANDED_ZUPT,
-           "filter.commanded_zupt")
+           "filter.commanded_zupt", decode)
 MIP_LAYOUT(mip_filter_commanded_angular_zupt, MIP_FILTER_COMMANDED_ANGULAR_ZUPT,
-           MIP_FILTER_COMMANDED_ANGULAR_ZUPT, "filter.commanded_angular_zupt")
+           MIP_FILTER_COMMANDED_ANGULAR_ZUPT, "filter.commanded_angular_zupt", decode)
 MIP_LAYOUT(mip_filter_reference_position, MIP_FILTER_REFERENCE_POSITION,
-           MIP_FILTER_REFERENCE_POSITION, "filter.reference_position")
+           MIP_FILTER_REFERENCE_POSITION, "filter.reference_position", decode)
 MIP_LAYOUT(mip_filter_mag_capture_auto_calibration, MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION,
-           MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION, "filter.mag_capture_auto_calibration")
+           MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION, "filter.mag_capture_auto_calibration",
+           decode_inline)
 MIP_LAYOUT(mip_filter_gravity_noise, MIP_FILTER_GRAVITY_NOISE, MIP_FILTER_GRAVITY_NOISE,
-           "filter.gravity_noise")
+           "filter.gravity_noise", decode)
 MIP_LAYOUT(mip_filter_pressure_altitude_noise, MIP_FILTER_PRESSURE_ALTITUDE_NOISE,
-           MIP_FILTER_PRESSURE_ALTITUDE_NOISE, "filter.pressure_altitude_noise")
+           MIP_FILTER_PRESSURE_ALTITUDE_NOISE, "filter.pressure_altitude_noise", decode)
 MIP_LAYOUT(mip_filter_hard_iron_offset_noise, MIP_FILTER_HARD_IRON_OFFSET_NOISE,
-           MIP_FILTER_HARD_IRON_OFFSET_NOISE, "filter.hard_iron_offset_noise")
+           MIP_FILTER_HARD_IRON_OFFSET_NOISE, "filter.hard_iron_offset_noise", decode)
 MIP_LAYOUT(mip_filter_soft_iron_matrix_noise, MIP_FILTER_SOFT_IRON_MATRIX_NOISE,
-           MIP_FILTER_SOFT_IRON_MATRIX_NOISE, "filter.soft_iron_matrix_noise")
+           MIP_FILTER_SOFT_IRON_MATRIX_NOISE, "filter.soft_iron_matrix_noise", decode)
 MIP_LAYOUT(mip_filter_enable_measurements, MIP_FILTER_ENABLE_MEASUREMENTS,
-           MIP_FILTER_ENABLE_MEASUREMENTS, "filter.enable_measurements")
-MIP_LAYOUT(mip_filter_mag_noise, MIP_FILTER_MAG_NOISE, MIP_FILTER_MAG_NOISE, "filter.mag_noise")
+           MIP_FILTER_ENABLE_MEASUREMENTS, "filter.enable_measurements", decode)
+MIP_LAYOUT(mip_filter_mag_noise, MIP_FILTER_MAG_NOISE, MIP_FILTER_MAG_NOISE, "filter.mag_noise",
+           decode)
 MIP_LAYOUT(mip_filter_magnetic_declination_source, MIP_FILTER_MAGNETIC_DECLINATION_SOURCE,
-           MIP_FILTER_MAGNETIC_DECLINATION_SOURCE, "filter.magnetic_declination_source")
+           MIP_FILTER_MAGNETIC_DECLINATION_SOURCE, "filter.magnetic_declination_source", decode)
 MIP_LAYOUT(mip_filter_accel_magnitude_adaptive, MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE,
-           MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE, "filter.accel_magnitude_error_adaptive_measurement")
+           MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE, "filter.accel_magnitude_error_adaptive_measurement",
+           decode)
 MIP_LAYOUT(mip_filter_mag_magnitude_adaptive, MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE,
-           MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE, "filter.mag_magnitude_error_adaptive_measurement")
+           MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE, "filter.mag_magnitude_error_adaptive_measurement",
+           decode)
 MIP_LAYOUT(mip_filter_mag_dip_angle_adaptive, MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE,
-           MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE, "filter.mag_dip_angle_error_adaptive_measurement")
+           MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE, "filter.mag_dip_angle_error_adaptive_measurement",
+           decode)
 MIP_LAYOUT(mip_filter_altitude_aiding, MIP_FILTER_ALTITUDE_AIDING, MIP_FILTER_ALTITUDE_AIDING,
-           "filter.altitude_aiding")
+           "filter.altitude_aiding", decode)
 MIP_LAYOUT(mip_filter_pitch_roll_aiding, MIP_FILTER_PITCH_ROLL_AIDING, MIP_FILTER_PITCH_ROLL_AIDING,
-           "filter.pitch_roll_aiding")
+           "filter.pitch_roll_aiding", decode)
 MIP_LAYOUT(mip_filter_magnetic_inclination_source, MIP_FILTER_MAGNETIC_INCLINATION_SOURCE,
-           MIP_FILTER_MAGNETIC_INCLINATION_SOURCE, "filter.magnetic_inclination_source")
+           MIP_FILTER_MAGNETIC_INCLINATION_SOURCE, "filter.magnetic_inclination_source", decode)
 MIP_LAYOUT(mip_filter_magnetic_magnitude_source, MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE,
-           MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE, "filter.magnetic_magnitude_source")
+           MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE, "filter.magnetic_magnitude_source", decode)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_dcm, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM,
-           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM, "filter.sensor_to_vehicle_rotation_dcm")
+           MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM, "filter.sensor_to_vehicle_rotation_dcm",
+           decode)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_quaternion, MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION,
-           MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION, "filter.sensor_to_vehicle_rotation_quaternion")
+           MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION, "filter.sensor_to_vehicle_rotation_quaternion",
+           decode)
 MIP_LAYOUT(mip_filter_aiding_measurement_enable, MIP_FILTER_AIDING_MEASUREMENT_ENABLE,
-           MIP_FILTER_AIDING_MEASUREMENT_ENABLE, "filter.aiding_measurement_enable")
+           MIP_FILTER_AIDING_MEASUREMENT_ENABLE, "filter.aiding_measurement_enable", decode)
 MIP_LAYOUT(mip_filter_kinematic_constraint, MIP_FILTER_KINEMATIC_CONSTRAINT,
-           MIP_FILTER_KINEMATIC_CONSTRAINT, "filter.kinematic_constraint")
+           MIP_FILTER_KINEMATIC_CONSTRAINT, "filter.kinematic_constraint", decode)
 MIP_LAYOUT(mip_filter_initialization_config, MIP_FILTER_INITIALIZATION_CONFIG,
-           MIP_FILTER_INITIALIZATION_CONFIG, "filter.initialization_config")
+           MIP_FILTER_INITIALIZATION_CONFIG, "filter.initialization_config", decode)
 MIP_LAYOUT(mip_filter_adaptive_filter_options, MIP_FILTER_ADAPTIVE_FILTER_OPTIONS,
-           MIP_FILTER_ADAPTIVE_FILTER_OPTIONS, "filter.adaptive_filter_options")
+           MIP_FILTER_ADAPTIVE_FILTER_OPTIONS, "filter.adaptive_filter_options", decode)
 MIP_LAYOUT(mip_filter_multi_antenna_offset, MIP_FILTER_MULTI_ANTENNA_OFFSET,
-           MIP_FILTER_MULTI_ANTENNA_OFFSET, "filter.multi_antenna_offset")
+           MIP_FILTER_MULTI_ANTENNA_OFFSET, "filter.multi_antenna_offset", decode)
 MIP_LAYOUT(mip_filter_relative_position_config, MIP_FILTER_RELATIVE_POSITION_CONFIG,
-           MIP_FILTER_RELATIVE_POSITION_CONFIG, "filter.relative_position_config")
+           MIP_FILTER_RELATIVE_POSITION_CONFIG, "filter.relative_position_config", decode)
 MIP_LAYOUT(mip_filter_reference_point_lever_arm, MIP_FILTER_REFERENCE_POINT_LEVER_ARM,
-           MIP_FILTER_REFERENCE_POINT_LEVER_ARM, "filter.reference_point_lever_arm")
+           MIP_FILTER_REFERENCE_POINT_LEVER_ARM, "filter.reference_point_lever_arm", decode)
 MIP_LAYOUT(mip_filter_speed_measurement, MIP_FILTER_SPEED_MEASUREMENT, MIP_FILTER_SPEED_MEASUREMENT,
-           "filter.speed_measurement")
+           "filter.speed_measurement", decode_inline)
 MIP_LAYOUT(mip_filter_speed_lever_arm, MIP_FILTER_SPEED_LEVER_ARM, MIP_FILTER_SPEED_LEVER_ARM,
-           "filter.speed_lever_arm")
+           "filter.speed_lever_arm", decode)
 MIP_LAYOUT(mip_filter_vertical_gyro_constraint_control, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL,
-           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL, "filter.vertical_gyro_constraint_control")
+           MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL, "filter.vertical_gyro_constraint_control",
+           decode)
 MIP_LAYOUT(mip_filter_wheeled_vehicle_constraint_control,
            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL,
            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL,
-           "filter.wheeled_vehicle_constraint_control")
+           "filter.wheeled_vehicle_constraint_control", decode)
 MIP_LAYOUT(mip_filter_gnss_antenna_calibration_control, MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL,
-           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL, "filter.gnss_antenna_calibration_control")
+           MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL, "filter.gnss_antenna_calibration_control",
+           decode)
 MIP_LAYOUT(mip_filter_vehicle_dynamics_mode_response, MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE,
-           MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE, "filter.vehicle_dynamics_mode_response")
+           MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE, "filter.vehicle_dynamics_mode_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_euler_response,
            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE,
            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE,
-           "filter.sensor_to_vehicle_rotation_euler_response")
+           "filter.sensor_to_vehicle_rotation_euler_response", decode_inline)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_offset_response,
            MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE,
-           MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE, "filter.sensor_to_vehicle_offset_response")
+           MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE, "filter.sensor_to_vehicle_offset_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_antenna_offset_response, MIP_FILTER_ANTENNA_OFFSET_RESPONSE,
-           MIP_FILTER_ANTENNA_OFFSET_RESPONSE, "filter.antenna_offset_response")
+           MIP_FILTER_ANTENNA_OFFSET_RESPONSE, "filter.antenna_offset_response", decode_inline)
 MIP_LAYOUT(mip_filter_estimation_control_response, MIP_FILTER_ESTIMATION_CONTROL_RESPONSE,
-           MIP_FILTER_ESTIMATION_CONTROL_RESPONSE, "filter.estimation_control_response")
+           MIP_FILTER_ESTIMATION_CONTROL_RESPONSE, "filter.estimation_control_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_gnss_source_response, MIP_FILTER_GNSS_SOURCE_RESPONSE,
-           MIP_FILTER_GNSS_SOURCE_RESPONSE, "filter.gnss_source_response")
+           MIP_FILTER_GNSS_SOURCE_RESPONSE, "filter.gnss_source_response", decode_inline)
 MIP_LAYOUT(mip_filter_heading_source_response, MIP_FILTER_HEADING_SOURCE_RESPONSE,
-           MIP_FILTER_HEADING_SOURCE_RESPONSE, "filter.heading_source_response")
+           MIP_FILTER_HEADING_SOURCE_RESPONSE, "filter.heading_source_response", decode_inline)
 MIP_LAYOUT(mip_filter_auto_initialization_control_response,
            MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE,
            MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE,
-           "filter.auto_initialization_control_response")
+           "filter.auto_initialization_control_response", decode_inline)
 MIP_LAYOUT(mip_filter_accel_noise_response, MIP_FILTER_ACCEL_NOISE_RESPONSE,
-           MIP_FILTER_ACCEL_NOISE_RESPONSE, "filter.accel_noise_response")
+           MIP_FILTER_ACCEL_NOISE_RESPONSE, "filter.accel_noise_response", decode_inline)
 MIP_LAYOUT(mip_filter_gyro_noise_response, MIP_FILTER_GYRO_NOISE_RESPONSE,
-           MIP_FILTER_GYRO_NOISE_RESPONSE, "filter.gyro_noise_response")
+           MIP_FILTER_GYRO_NOISE_RESPONSE, "filter.gyro_noise_response", decode_inline)
 MIP_LAYOUT(mip_filter_accel_bias_model_response, MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE,
-           MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE, "filter.accel_bias_model_response")
+           MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE, "filter.accel_bias_model_response", decode_inline)
 MIP_LAYOUT(mip_filter_gyro_bias_model_response, MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE,
-           MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE, "filter.gyro_bias_model_response")
+           MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE, "filter.gyro_bias_model_response", decode_inline)
 MIP_LAYOUT(mip_filter_auto_zupt_response, MIP_FILTER_AUTO_ZUPT_RESPONSE,
-           MIP_FILTER_AUTO_ZUPT_RESPONSE, "filter.auto_zupt_response")
+           MIP_FILTER_AUTO_ZUPT_RESPONSE, "filter.auto_zupt_response", decode_inline)
 MIP_LAYOUT(mip_filter_auto_angular_zupt_response, MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE,
-           MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE, "filter.auto_angular_zupt_response")
+           MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE, "filter.auto_angular_zupt_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_reference_position_response, MIP_FILTER_REFERENCE_POSITION_RESPONSE,
-           MIP_FILTER_REFERENCE_POSITION_RESPONSE, "filter.reference_position_response")
+           MIP_FILTER_REFERENCE_POSITION_RESPONSE, "filter.reference_position_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_gravity_noise_response, MIP_FILTER_GRAVITY_NOISE_RESPONSE,
-           MIP_FILTER_GRAVITY_NOISE_RESPONSE, "filter.gravity_noise_response")
+           MIP_FILTER_GRAVITY_NOISE_RESPONSE, "filter.gravity_noise_response", decode_inline)
 MIP_LAYOUT(mip_filter_pressure_altitude_noise_response, MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE,
-           MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE, "filter.pressure_altitude_noise_response")
+           MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE, "filter.pressure_altitude_noise_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_hard_iron_offset_noise_response, MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE,
-           MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE, "filter.hard_iron_offset_noise_response")
+           MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE, "filter.hard_iron_offset_noise_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_soft_iron_matrix_noise_response, MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE,
-           MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE, "filter.soft_iron_matrix_noise_response")
+           MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE, "filter.soft_iron_matrix_noise_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_tare_orientation_response, MIP_FILTER_TARE_ORIENTATION_RESPONSE,
-           MIP_FILTER_TARE_ORIENTATION_RESPONSE, "filter.tare_orientation_response")
+           MIP_FILTER_TARE_ORIENTATION_RESPONSE, "filter.tare_orientation_response", decode_inline)
 MIP_LAYOUT(mip_filter_enable_measurements_response, MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE,
-           MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE, "filter.enable_measurements_response")
+           MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE, "filter.enable_measurements_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_mag_noise_response, MIP_FILTER_MAG_NOISE_RESPONSE,
-           MIP_FILTER_MAG_NOISE_RESPONSE, "filter.mag_noise_response")
+           MIP_FILTER_MAG_NOISE_RESPONSE, "filter.mag_noise_response", decode_inline)
 MIP_LAYOUT(mip_filter_magnetic_declination_source_response,
            MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE,
            MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE,
-           "filter.magnetic_declination_source_response")
+           "filter.magnetic_declination_source_response", decode_inline)
 MIP_LAYOUT(mip_filter_accel_magnitude_adaptive_response,
            MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE,
            MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE,
-           "filter.accel_magnitude_error_adaptive_measurement_response")
+           "filter.accel_magnitude_error_adaptive_measurement_response", decode_inline)
 MIP_LAYOUT(mip_filter_mag_magnitude_adaptive_response, MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE,
            MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE,
-           "filter.mag_magnitude_error_adaptive_measurement_response")
+           "filter.mag_magnitude_error_adaptive_measurement_response", decode_inline)
 MIP_LAYOUT(mip_filter_mag_dip_angle_adaptive_response, MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE,
            MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE,
-           "filter.mag_dip_angle_error_adaptive_measurement_response")
+           "filter.mag_dip_angle_error_adaptive_measurement_response", decode_inline)
 MIP_LAYOUT(mip_filter_altitude_aiding_response, MIP_FILTER_ALTITUDE_AIDING_RESPONSE,
-           MIP_FILTER_ALTITUDE_AIDING_RESPONSE, "filter.altitude_aiding_response")
+           MIP_FILTER_ALTITUDE_AIDING_RESPONSE, "filter.altitude_aiding_response", decode_inline)
 MIP_LAYOUT(mip_filter_pitch_roll_aiding_response, MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE,
-           MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE, "filter.pitch_roll_aiding_response")
+           MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE, "filter.pitch_roll_aiding_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_magnetic_inclination_source_response,
            MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE,
            MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE,
-           "filter.magnetic_inclination_source_response")
+           "filter.magnetic_inclination_source_response", decode_inline)
 MIP_LAYOUT(mip_filter_magnetic_magnitude_source_response,
            MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE,
            MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE,
-           "filter.magnetic_magnitude_source_response")
+           "filter.magnetic_magnitude_source_response", decode_inline)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_rotation_dcm_response,
            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE,
            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE,
-           "filter.sensor_to_vehicle_rotation_dcm_response")
+           "filter.sensor_to_vehicle_rotation_dcm_response", decode_inline)
 MIP_LAYOUT(mip_filter_sensor_to_vehicle_quaternion_response,
            MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE,
            MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE,
-           "filter.sensor_to_vehicle_rotation_quaternion_response")
+           "filter.sensor_to_vehicle_rotation_quaternion_response", decode_inline)
 MIP_LAYOUT(mip_filter_aiding_measurement_enable_response,
            MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE,
            MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE,
-           "filter.aiding_measurement_enable_response")
+           "filter.aiding_measurement_enable_response", decode_inline)
 MIP_LAYOUT(mip_filter_kinematic_constraint_response, MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE,
-           MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE, "filter.kinematic_constraint_response")
+           MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE, "filter.kinematic_constraint_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_initialization_config_response, MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE,
-           MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE, "filter.initialization_config_response")
+           MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE, "filter.initialization_config_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_adaptive_filter_options_response, MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE,
-           MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE, "filter.adaptive_filter_options_response")
+           MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE, "filter.adaptive_filter_options_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_multi_antenna_offset_response, MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE,
-           MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE, "filter.multi_antenna_offset_response")
+           MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE, "filter.multi_antenna_offset_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_relative_position_config_response,
            MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE,
-           MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE, "filter.relative_position_config_response")
+           MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE, "filter.relative_position_config_response",
+           decode_inline)
 MIP_LAYOUT(mip_filter_reference_point_lever_arm_response,
            MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE,
            MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE,
-           "filter.reference_point_lever_arm_response")
+           "filter.reference_point_lever_arm_response", decode_inline)
 MIP_LAYOUT(mip_filter_speed_lever_arm_response, MIP_FILTER_SPEED_LEVER_ARM_RESPONSE,
-           MIP_FILTER_SPEED_LEVER_ARM_RESPONSE, "filter.speed_lever_arm_response")
+           MIP_FILTER_SPEED_LEVER_ARM_RESPONSE, "filter.speed_lever_arm_response", decode_inline)
 MIP_LAYOUT(mip_filter_vertical_gyro_constraint_control_response,
            MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE,
            MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE,
-           "filter.vertical_gyro_constraint_control_response")
+           "filter.vertical_gyro_constraint_control_response", decode_inline)
 MIP_LAYOUT(mip_filter_wheeled_vehicle_constraint_control_response,
            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE,
            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE,
-           "filter.wheeled_vehicle_constraint_control_response")
+           "filter.wheeled_vehicle_constraint_control_response", decode_inline)
 MIP_LAYOUT(mip_filter_gnss_antenna_calibration_control_response,
            MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE,
            MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE,
-           "filter.gnss_antenna_calibration_control_response")
+           "filter.gnss_antenna_calibration_control_response", decode_inline)
 
 /** Filter commands */
 inline constexpr std::uint8_t filter_set = MIP_FILTER_SET;

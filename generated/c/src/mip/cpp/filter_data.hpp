@@ -5,142 +5,163 @@
 #ifndef MIP_FILTER_DATA_HPP
 #define MIP_FILTER_DATA_HPP
 
-#include "mip/filter_data.h"
+#include "mip/filter_data_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_filter_data_llh_position, MIP_FILTER_DATA_LLH_POSITION, MIP_FILTER_DATA_LLH_POSITION,
-           "filter_data.llh_position")
+           "filter_data.llh_position", decode_inline)
 MIP_LAYOUT(mip_filter_data_ned_velocity, MIP_FILTER_DATA_NED_VELOCITY, MIP_FILTER_DATA_NED_VELOCITY,
-           "filter_data.ned_velocity")
+           "filter_data.ned_velocity", decode_inline)
 MIP_LAYOUT(mip_filter_data_attitude_quaternion, MIP_FILTER_DATA_ATTITUDE_QUATERNION,
-           MIP_FILTER_DATA_ATTITUDE_QUATERNION, "filter_data.attitude_quaternion")
+           MIP_FILTER_DATA_ATTITUDE_QUATERNION, "filter_data.attitude_quaternion", decode_inline)
 MIP_LAYOUT(mip_filter_data_attitude_dcm, MIP_FILTER_DATA_ATTITUDE_DCM, MIP_FILTER_DATA_ATTITUDE_DCM,
-           "filter_data.attitude_dcm")
+           "filter_data.attitude_dcm", decode_inline)
 MIP_LAYOUT(mip_filter_data_euler_angles, MIP_FILTER_DATA_EULER_ANGLES, MIP_FILTER_DATA_EULER_ANGLES,
-           "filter_data.euler_angles")
+           "filter_data.euler_angles", decode_inline)
 MIP_LAYOUT(mip_filter_data_gyro_bias, MIP_FILTER_DATA_GYRO_BIAS, MIP_FILTER_DATA_GYRO_BIAS,
-           "filter_data.gyro_bias")
+           "filter_data.gyro_bias", decode_inline)
 MIP_LAYOUT(mip_filter_data_accel_bias, MIP_FILTER_DATA_ACCEL_BIAS, MIP_FILTER_DATA_ACCEL_BIAS,
-           "filter_data.accel_bias")
+           "filter_data.accel_bias", decode_inline)
 MIP_LAYOUT(mip_filter_data_llh_position_uncertainty, MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY,
-           MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY, "filter_data.llh_position_uncertainty")
+           MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY, "filter_data.llh_position_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_ned_velocity_uncertainty, MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY,
-           MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY, "filter_data.ned_velocity_uncertainty")
+           MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY, "filter_data.ned_velocity_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_euler_angles_uncertainty, MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY,
-           MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY, "filter_data.euler_angles_uncertainty")
+           MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY, "filter_data.euler_angles_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_gyro_bias_uncertainty, MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY,
-           MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY, "filter_data.gyro_bias_uncertainty")
+           MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY, "filter_data.gyro_bias_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_accel_bias_uncertainty, MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY,
-           MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY, "filter_data.accel_bias_uncertainty")
+           MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY, "filter_data.accel_bias_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_linear_accel, MIP_FILTER_DATA_LINEAR_ACCEL, MIP_FILTER_DATA_LINEAR_ACCEL,
-           "filter_data.linear_accel")
+           "filter_data.linear_accel", decode_inline)
 MIP_LAYOUT(mip_filter_data_comp_angular_rate, MIP_FILTER_DATA_COMP_ANGULAR_RATE,
-           MIP_FILTER_DATA_COMP_ANGULAR_RATE, "filter_data.comp_angular_rate")
+           MIP_FILTER_DATA_COMP_ANGULAR_RATE, "filter_data.comp_angular_rate", decode_inline)
 MIP_LAYOUT(mip_filter_data_wgs84_gravity_magnitude, MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE,
-           MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE, "filter_data.wgs84_gravity_magnitude")
+           MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE, "filter_data.wgs84_gravity_magnitude",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_status, MIP_FILTER_DATA_STATUS, MIP_FILTER_DATA_STATUS,
-           "filter_data.status")
+           "filter_data.status", decode_inline)
 MIP_LAYOUT(mip_filter_data_timestamp, MIP_FILTER_DATA_TIMESTAMP, MIP_FILTER_DATA_TIMESTAMP,
-           "filter_data.timestamp")
+           "filter_data.timestamp", decode_inline)
 MIP_LAYOUT(mip_filter_data_quaternion_attitude_uncertainty,
            MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY,
            MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY,
-           "filter_data.quaternion_attitude_uncertainty")
+           "filter_data.quaternion_attitude_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_gravity_vector, MIP_FILTER_DATA_GRAVITY_VECTOR,
-           MIP_FILTER_DATA_GRAVITY_VECTOR, "filter_data.gravity_vector")
+           MIP_FILTER_DATA_GRAVITY_VECTOR, "filter_data.gravity_vector", decode_inline)
 MIP_LAYOUT(mip_filter_data_heading_update_state, MIP_FILTER_DATA_HEADING_UPDATE_STATE,
-           MIP_FILTER_DATA_HEADING_UPDATE_STATE, "filter_data.heading_update_state")
+           MIP_FILTER_DATA_HEADING_UPDATE_STATE, "filter_data.heading_update_state", decode_inline)
 MIP_LAYOUT(mip_filter_data_magnetic_model, MIP_FILTER_DATA_MAGNETIC_MODEL,
-           MIP_FILTER_DATA_MAGNETIC_MODEL, "filter_data.magnetic_model")
+           MIP_FILTER_DATA_MAGNETIC_MODEL, "filter_data.magnetic_model", decode_inline)
 MIP_LAYOUT(mip_filter_data_gyro_scale_factor, MIP_FILTER_DATA_GYRO_SCALE_FACTOR,
-           MIP_FILTER_DATA_GYRO_SCALE_FACTOR, "filter_data.gyro_scale_factor")
+           MIP_FILTER_DATA_GYRO_SCALE_FACTOR, "filter_data.gyro_scale_factor", decode_inline)
 MIP_LAYOUT(mip_filter_data_accel_scale_factor, MIP_FILTER_DATA_ACCEL_SCALE_FACTOR,
-           MIP_FILTER_DATA_ACCEL_SCALE_FACTOR, "filter_data.accel_scale_factor")
+           MIP_FILTER_DATA_ACCEL_SCALE_FACTOR, "filter_data.accel_scale_factor", decode_inline)
 MIP_LAYOUT(mip_filter_data_gyro_scale_factor_uncertainty,
            MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY,
            MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY,
-           "filter_data.gyro_scale_factor_uncertainty")
+           "filter_data.gyro_scale_factor_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_accel_scale_factor_uncertainty,
            MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY,
            MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY,
-           "filter_data.accel_scale_factor_uncertainty")
+           "filter_data.accel_scale_factor_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_bias, MIP_FILTER_DATA_MAG_BIAS, MIP_FILTER_DATA_MAG_BIAS,
-           "filter_data.mag_bias")
+           "filter_data.mag_bias", decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_bias_uncertainty, MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY,
-           MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY, "filter_data.mag_bias_uncertainty")
+           MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY, "filter_data.mag_bias_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_comp_accel, MIP_FILTER_DATA_COMP_ACCEL, MIP_FILTER_DATA_COMP_ACCEL,
-           "filter_data.comp_accel")
+           "filter_data.comp_accel", decode_inline)
 MIP_LAYOUT(mip_filter_data_standard_atmosphere, MIP_FILTER_DATA_STANDARD_ATMOSPHERE,
-           MIP_FILTER_DATA_STANDARD_ATMOSPHERE, "filter_data.standard_atmosphere")
+           MIP_FILTER_DATA_STANDARD_ATMOSPHERE, "filter_data.standard_atmosphere", decode_inline)
 MIP_LAYOUT(mip_filter_data_pressure_altitude, MIP_FILTER_DATA_PRESSURE_ALTITUDE,
-           MIP_FILTER_DATA_PRESSURE_ALTITUDE, "filter_data.pressure_altitude")
+           MIP_FILTER_DATA_PRESSURE_ALTITUDE, "filter_data.pressure_altitude", decode_inline)
 MIP_LAYOUT(mip_filter_data_density_altitude, MIP_FILTER_DATA_DENSITY_ALTITUDE,
-           MIP_FILTER_DATA_DENSITY_ALTITUDE, "filter_data.density_altitude")
+           MIP_FILTER_DATA_DENSITY_ALTITUDE, "filter_data.density_altitude", decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_offset, MIP_FILTER_DATA_MAG_OFFSET, MIP_FILTER_DATA_MAG_OFFSET,
-           "filter_data.mag_offset")
+           "filter_data.mag_offset", decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_matrix, MIP_FILTER_DATA_MAG_MATRIX, MIP_FILTER_DATA_MAG_MATRIX,
-           "filter_data.mag_matrix")
+           "filter_data.mag_matrix", decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_offset_uncertainty, MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY,
-           MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY, "filter_data.mag_offset_uncertainty")
+           MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY, "filter_data.mag_offset_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_matrix_uncertainty, MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY,
-           MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY, "filter_data.mag_matrix_uncertainty")
+           MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY, "filter_data.mag_matrix_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_covariance_matrix, MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX,
-           MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX, "filter_data.mag_covariance_matrix")
+           MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX, "filter_data.mag_covariance_matrix",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_mag_residual_vector, MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR,
-           MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR, "filter_data.mag_residual_vector")
+           MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR, "filter_data.mag_residual_vector", decode_inline)
 MIP_LAYOUT(mip_filter_data_antenna_offset_correction, MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION,
-           MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION, "filter_data.antenna_offset_correction")
+           MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION, "filter_data.antenna_offset_correction",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_antenna_offset_correction_uncertainty,
            MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY,
            MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY,
-           "filter_data.antenna_offset_correction_uncertainty")
+           "filter_data.antenna_offset_correction_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_clock_correction, MIP_FILTER_DATA_CLOCK_CORRECTION,
-           MIP_FILTER_DATA_CLOCK_CORRECTION, "filter_data.clock_correction")
+           MIP_FILTER_DATA_CLOCK_CORRECTION, "filter_data.clock_correction", decode_inline)
 MIP_LAYOUT(mip_filter_data_clock_correction_uncertainty,
            MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY,
-           MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY, "filter_data.clock_correction_uncertainty")
+           MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY, "filter_data.clock_correction_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_multi_antenna_offset_correction,
            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION,
            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION,
-           "filter_data.multi_antenna_offset_correction")
+           "filter_data.multi_antenna_offset_correction", decode_inline)
 MIP_LAYOUT(mip_filter_data_multi_antenna_offset_uncertainty,
            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY,
            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY,
-           "filter_data.multi_antenna_offset_correction_uncertainty")
+           "filter_data.multi_antenna_offset_correction_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_ecef_position_uncertainty, MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY,
-           MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY, "filter_data.ecef_position_uncertainty")
+           MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY, "filter_data.ecef_position_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_ecef_velocity_uncertainty, MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY,
-           MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY, "filter_data.ecef_velocity_uncertainty")
+           MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY, "filter_data.ecef_velocity_uncertainty",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_ecef_position, MIP_FILTER_DATA_ECEF_POSITION,
-           MIP_FILTER_DATA_ECEF_POSITION, "filter_data.ecef_position")
+           MIP_FILTER_DATA_ECEF_POSITION, "filter_data.ecef_position", decode_inline)
 MIP_LAYOUT(mip_filter_data_ecef_velocity, MIP_FILTER_DATA_ECEF_VELOCITY,
-           MIP_FILTER_DATA_ECEF_VELOCITY, "filter_data.ecef_velocity")
+           MIP_FILTER_DATA_ECEF_VELOCITY, "filter_data.ecef_velocity", decode_inline)
 MIP_LAYOUT(mip_filter_data_ned_relative_position, MIP_FILTER_DATA_NED_RELATIVE_POSITION,
-           MIP_FILTER_DATA_NED_RELATIVE_POSITION, "filter_data.ned_relative_position")
+           MIP_FILTER_DATA_NED_RELATIVE_POSITION, "filter_data.ned_relative_position",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_gnss_position_aiding_status, MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS,
-           MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS, "filter_data.gnss_position_aiding_status")
+           MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS, "filter_data.gnss_position_aiding_status",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_gnss_attitude_aiding_status, MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS,
-           MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS, "filter_data.gnss_attitude_aiding_status")
+           MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS, "filter_data.gnss_attitude_aiding_status",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_heading_aiding_status, MIP_FILTER_DATA_HEADING_AIDING_STATUS,
-           MIP_FILTER_DATA_HEADING_AIDING_STATUS, "filter_data.heading_aiding_status")
+           MIP_FILTER_DATA_HEADING_AIDING_STATUS, "filter_data.heading_aiding_status",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_aiding_measurement_summary, MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY,
-           MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY, "filter_data.aiding_measurement_summary")
+           MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY, "filter_data.aiding_measurement_summary",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_odometer_scale_factor_error, MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR,
-           MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR, "filter_data.odometer_scale_factor_error")
+           MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR, "filter_data.odometer_scale_factor_error",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_odometer_scale_factor_error_uncertainty,
            MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY,
            MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY,
-           "filter_data.odometer_scale_factor_error_uncertainty")
+           "filter_data.odometer_scale_factor_error_uncertainty", decode_inline)
 MIP_LAYOUT(mip_filter_data_gnss_dual_antenna_status, MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS,
-           MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS, "filter_data.gnss_dual_antenna_status")
+           MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS, "filter_data.gnss_dual_antenna_status",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_aiding_frame_config_error, MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR,
-           MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR, "filter_data.aiding_frame_config_error")
+           MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR, "filter_data.aiding_frame_config_error",
+           decode_inline)
 MIP_LAYOUT(mip_filter_data_aiding_frame_config_error_uncertainty,
            MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY,
            MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY,
-           "filter_data.aiding_frame_config_error_uncertainty")
+           "filter_data.aiding_frame_config_error_uncertainty", decode_inline)
 
 /** Filter data */
 inline constexpr std::uint8_t filter_data_set = MIP_FILTER_DATA_SET;

@@ -5,34 +5,34 @@
 #ifndef MIP_GNSS_HPP
 #define MIP_GNSS_HPP
 
-#include "mip/gnss.h"
+#include "mip/gnss_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_gnss_receiver_info, MIP_GNSS_RECEIVER_INFO, MIP_GNSS_RECEIVER_INFO,
-           "gnss.receiver_info")
+           "gnss.receiver_info", decode)
 MIP_LAYOUT(mip_gnss_signal_config, MIP_GNSS_SIGNAL_CONFIG, MIP_GNSS_SIGNAL_CONFIG,
-           "gnss.signal_config")
+           "gnss.signal_config", decode)
 MIP_LAYOUT(mip_gnss_receiver_reset, MIP_GNSS_RECEIVER_RESET, MIP_GNSS_RECEIVER_RESET,
-           "gnss.receiver_reset")
-MIP_LAYOUT(mip_gnss_rtk_config, MIP_GNSS_RTK_CONFIG, MIP_GNSS_RTK_CONFIG, "gnss.rtk_config")
+           "gnss.receiver_reset", decode_inline)
+MIP_LAYOUT(mip_gnss_rtk_config, MIP_GNSS_RTK_CONFIG, MIP_GNSS_RTK_CONFIG, "gnss.rtk_config", decode)
 MIP_LAYOUT(mip_gnss_rtk_dongle_config, MIP_GNSS_RTK_DONGLE_CONFIG, MIP_GNSS_RTK_DONGLE_CONFIG,
-           "gnss.rtk_dongle_config")
+           "gnss.rtk_dongle_config", decode)
 MIP_LAYOUT(mip_gnss_spartn_config, MIP_GNSS_SPARTN_CONFIG, MIP_GNSS_SPARTN_CONFIG,
-           "gnss.spartn_config")
+           "gnss.spartn_config", decode)
 MIP_LAYOUT(mip_gnss_receiver_safe_mode, MIP_GNSS_RECEIVER_SAFE_MODE, MIP_GNSS_RECEIVER_SAFE_MODE,
-           "gnss.receiver_safe_mode")
+           "gnss.receiver_safe_mode", decode_inline)
 MIP_LAYOUT(mip_gnss_receiver_info_response, MIP_GNSS_RECEIVER_INFO_RESPONSE,
-           MIP_GNSS_RECEIVER_INFO_RESPONSE, "gnss.receiver_info_response")
+           MIP_GNSS_RECEIVER_INFO_RESPONSE, "gnss.receiver_info_response", decode)
 MIP_LAYOUT(mip_gnss_signal_config_response, MIP_GNSS_SIGNAL_CONFIG_RESPONSE,
-           MIP_GNSS_SIGNAL_CONFIG_RESPONSE, "gnss.signal_config_response")
+           MIP_GNSS_SIGNAL_CONFIG_RESPONSE, "gnss.signal_config_response", decode_inline)
 MIP_LAYOUT(mip_gnss_rtk_config_response, MIP_GNSS_RTK_CONFIG_RESPONSE, MIP_GNSS_RTK_CONFIG_RESPONSE,
-           "gnss.rtk_config_response")
+           "gnss.rtk_config_response", decode_inline)
 MIP_LAYOUT(mip_gnss_rtk_dongle_config_response, MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE,
-           MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE, "gnss.rtk_dongle_config_response")
+           MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE, "gnss.rtk_dongle_config_response", decode_inline)
 MIP_LAYOUT(mip_gnss_spartn_config_response, MIP_GNSS_SPARTN_CONFIG_RESPONSE,
-           MIP_GNSS_SPARTN_CONFIG_RESPONSE, "gnss.spartn_config_response")
+           MIP_GNSS_SPARTN_CONFIG_RESPONSE, "gnss.spartn_config_response", decode_inline)
 
 /** GNSS commands */
 inline constexpr std::uint8_t gnss_set = MIP_GNSS_SET;

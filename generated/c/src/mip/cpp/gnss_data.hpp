@@ -5,56 +5,66 @@
 #ifndef MIP_GNSS_DATA_HPP
 #define MIP_GNSS_DATA_HPP
 
-#include "mip/gnss_data.h"
+#include "mip/gnss_data_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
-MIP_LAYOUT(mip_gnss_data_llh_position, MIP_GNSS_DATA_LLH_POSITION, 0, "gnss_data.llh_position")
-MIP_LAYOUT(mip_gnss_data_ecef_position, MIP_GNSS_DATA_ECEF_POSITION, 0, "gnss_data.ecef_position")
-MIP_LAYOUT(mip_gnss_data_ned_velocity, MIP_GNSS_DATA_NED_VELOCITY, 0, "gnss_data.ned_velocity")
-MIP_LAYOUT(mip_gnss_data_ecef_velocity, MIP_GNSS_DATA_ECEF_VELOCITY, 0, "gnss_data.ecef_velocity")
-MIP_LAYOUT(mip_gnss_data_dop, MIP_GNSS_DATA_DOP, 0, "gnss_data.dop")
-MIP_LAYOUT(mip_gnss_data_utc_time, MIP_GNSS_DATA_UTC_TIME, 0, "gnss_data.utc_time")
-MIP_LAYOUT(mip_gnss_data_gps_time, MIP_GNSS_DATA_GPS_TIME, 0, "gnss_data.gps_time")
-MIP_LAYOUT(mip_gnss_data_clock_info, MIP_GNSS_DATA_CLOCK_INFO, 0, "gnss_data.clock_info")
-MIP_LAYOUT(mip_gnss_data_fix_info, MIP_GNSS_DATA_FIX_INFO, 0, "gnss_data.fix_info")
-MIP_LAYOUT(mip_gnss_data_sv_info, MIP_GNSS_DATA_SV_INFO, 0, "gnss_data.sv_info")
+MIP_LAYOUT(mip_gnss_data_llh_position, MIP_GNSS_DATA_LLH_POSITION, 0, "gnss_data.llh_position",
+           decode_inline)
+MIP_LAYOUT(mip_gnss_data_ecef_position, MIP_GNSS_DATA_ECEF_POSITION, 0, "gnss_data.ecef_position",
+           decode_inline)
+MIP_LAYOUT(mip_gnss_data_ned_velocity, MIP_GNSS_DATA_NED_VELOCITY, 0, "gnss_data.ned_velocity",
+           decode_inline)
+MIP_LAYOUT(mip_gnss_data_ecef_velocity, MIP_GNSS_DATA_ECEF_VELOCITY, 0, "gnss_data.ecef_velocity",
+           decode_inline)
+MIP_LAYOUT(mip_gnss_data_dop, MIP_GNSS_DATA_DOP, 0, "gnss_data.dop", decode_inline)
+MIP_LAYOUT(mip_gnss_data_utc_time, MIP_GNSS_DATA_UTC_TIME, 0, "gnss_data.utc_time", decode_inline)
+MIP_LAYOUT(mip_gnss_data_gps_time, MIP_GNSS_DATA_GPS_TIME, 0, "gnss_data.gps_time", decode_inline)
+MIP_LAYOUT(mip_gnss_data_clock_info, MIP_GNSS_DATA_CLOCK_INFO, 0, "gnss_data.clock_info",
+           decode_inline)
+MIP_LAYOUT(mip_gnss_data_fix_info, MIP_GNSS_DATA_FIX_INFO, 0, "gnss_data.fix_info", decode_inline)
+MIP_LAYOUT(mip_gnss_data_sv_info, MIP_GNSS_DATA_SV_INFO, 0, "gnss_data.sv_info", decode_inline)
 MIP_LAYOUT(mip_gnss_data_hardware_status, MIP_GNSS_DATA_HARDWARE_STATUS, 0,
-           "gnss_data.hardware_status")
-MIP_LAYOUT(mip_gnss_data_dgps_info, MIP_GNSS_DATA_DGPS_INFO, 0, "gnss_data.dgps_info")
+           "gnss_data.hardware_status", decode_inline)
+MIP_LAYOUT(mip_gnss_data_dgps_info, MIP_GNSS_DATA_DGPS_INFO, 0, "gnss_data.dgps_info",
+           decode_inline)
 MIP_LAYOUT(mip_gnss_data_dgps_info_satellite, MIP_GNSS_DATA_DGPS_INFO_SATELLITE, 0,
-           "gnss_data.dgps_info_satellite")
-MIP_LAYOUT(mip_gnss_data_dgps_channel, MIP_GNSS_DATA_DGPS_CHANNEL, 0, "gnss_data.dgps_channel")
-MIP_LAYOUT(mip_gnss_data_clock_info_2, MIP_GNSS_DATA_CLOCK_INFO_2, 0, "gnss_data.clock_info_2")
+           "gnss_data.dgps_info_satellite", decode_inline)
+MIP_LAYOUT(mip_gnss_data_dgps_channel, MIP_GNSS_DATA_DGPS_CHANNEL, 0, "gnss_data.dgps_channel",
+           decode_inline)
+MIP_LAYOUT(mip_gnss_data_clock_info_2, MIP_GNSS_DATA_CLOCK_INFO_2, 0, "gnss_data.clock_info_2",
+           decode_inline)
 MIP_LAYOUT(mip_gnss_data_gps_leap_seconds, MIP_GNSS_DATA_GPS_LEAP_SECONDS, 0,
-           "gnss_data.gps_leap_seconds")
-MIP_LAYOUT(mip_gnss_data_sbas_info, MIP_GNSS_DATA_SBAS_INFO, 0, "gnss_data.sbas_info")
+           "gnss_data.gps_leap_seconds", decode_inline)
+MIP_LAYOUT(mip_gnss_data_sbas_info, MIP_GNSS_DATA_SBAS_INFO, 0, "gnss_data.sbas_info",
+           decode_inline)
 MIP_LAYOUT(mip_gnss_data_sbas_correction, MIP_GNSS_DATA_SBAS_CORRECTION, 0,
-           "gnss_data.sbas_correction")
+           "gnss_data.sbas_correction", decode_inline)
 MIP_LAYOUT(mip_gnss_data_rf_error_detection, MIP_GNSS_DATA_RF_ERROR_DETECTION, 0,
-           "gnss_data.rf_error_detection")
-MIP_LAYOUT(mip_gnss_data_heading, MIP_GNSS_DATA_HEADING, 0, "gnss_data.heading")
+           "gnss_data.rf_error_detection", decode_inline)
+MIP_LAYOUT(mip_gnss_data_heading, MIP_GNSS_DATA_HEADING, 0, "gnss_data.heading", decode_inline)
 MIP_LAYOUT(mip_gnss_data_satellite_status, MIP_GNSS_DATA_SATELLITE_STATUS, 0,
-           "gnss_data.satellite_status")
-MIP_LAYOUT(mip_gnss_data_raw, MIP_GNSS_DATA_RAW, 0, "gnss_data.raw")
+           "gnss_data.satellite_status", decode_inline)
+MIP_LAYOUT(mip_gnss_data_raw, MIP_GNSS_DATA_RAW, 0, "gnss_data.raw", decode_inline)
 MIP_LAYOUT(mip_gnss_data_base_station_info, MIP_GNSS_DATA_BASE_STATION_INFO, 0,
-           "gnss_data.base_station_info")
+           "gnss_data.base_station_info", decode_inline)
 MIP_LAYOUT(mip_gnss_data_rtk_corrections_status, MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS, 0,
-           "gnss_data.rtk_corrections_status")
-MIP_LAYOUT(mip_gnss_data_gps_ephemeris, MIP_GNSS_DATA_GPS_EPHEMERIS, 0, "gnss_data.gps_ephemeris")
+           "gnss_data.rtk_corrections_status", decode_inline)
+MIP_LAYOUT(mip_gnss_data_gps_ephemeris, MIP_GNSS_DATA_GPS_EPHEMERIS, 0, "gnss_data.gps_ephemeris",
+           decode_inline)
 MIP_LAYOUT(mip_gnss_data_glonass_ephemeris, MIP_GNSS_DATA_GLONASS_EPHEMERIS, 0,
-           "gnss_data.glonass_ephemeris")
+           "gnss_data.glonass_ephemeris", decode_inline)
 MIP_LAYOUT(mip_gnss_data_galileo_ephemeris, MIP_GNSS_DATA_GALILEO_EPHEMERIS, 0,
-           "gnss_data.galileo_ephemeris")
+           "gnss_data.galileo_ephemeris", decode_inline)
 MIP_LAYOUT(mip_gnss_data_beidou_ephemeris, MIP_GNSS_DATA_BEIDOU_EPHEMERIS, 0,
-           "gnss_data.beidou_ephemeris")
+           "gnss_data.beidou_ephemeris", decode_inline)
 MIP_LAYOUT(mip_gnss_data_gps_iono_correction, MIP_GNSS_DATA_GPS_IONO_CORRECTION, 0,
-           "gnss_data.gps_iono_correction")
+           "gnss_data.gps_iono_correction", decode_inline)
 MIP_LAYOUT(mip_gnss_data_galileo_iono_correction, MIP_GNSS_DATA_GALILEO_IONO_CORRECTION, 0,
-           "gnss_data.galileo_iono_correction")
+           "gnss_data.galileo_iono_correction", decode_inline)
 MIP_LAYOUT(mip_gnss_data_beidou_iono_correction, MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION, 0,
-           "gnss_data.beidou_iono_correction")
+           "gnss_data.beidou_iono_correction", decode_inline)
 
 /** GNSS data */
 inline constexpr std::uint8_t gnss_data_set = MIP_GNSS_DATA_SET;

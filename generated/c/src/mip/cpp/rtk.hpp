@@ -5,47 +5,51 @@
 #ifndef MIP_RTK_HPP
 #define MIP_RTK_HPP
 
-#include "mip/rtk.h"
+#include "mip/rtk_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_rtk_get_status_flags, MIP_RTK_GET_STATUS_FLAGS, MIP_RTK_GET_STATUS_FLAGS,
-           "rtk.get_status_flags")
-MIP_LAYOUT(mip_rtk_get_imei, MIP_RTK_GET_IMEI, MIP_RTK_GET_IMEI, "rtk.get_imei")
-MIP_LAYOUT(mip_rtk_get_imsi, MIP_RTK_GET_IMSI, MIP_RTK_GET_IMSI, "rtk.get_imsi")
-MIP_LAYOUT(mip_rtk_get_iccid, MIP_RTK_GET_ICCID, MIP_RTK_GET_ICCID, "rtk.get_iccid")
-MIP_LAYOUT(mip_rtk_get_rssi, MIP_RTK_GET_RSSI, MIP_RTK_GET_RSSI, "rtk.get_rssi")
+           "rtk.get_status_flags", decode)
+MIP_LAYOUT(mip_rtk_get_imei, MIP_RTK_GET_IMEI, MIP_RTK_GET_IMEI, "rtk.get_imei", decode)
+MIP_LAYOUT(mip_rtk_get_imsi, MIP_RTK_GET_IMSI, MIP_RTK_GET_IMSI, "rtk.get_imsi", decode)
+MIP_LAYOUT(mip_rtk_get_iccid, MIP_RTK_GET_ICCID, MIP_RTK_GET_ICCID, "rtk.get_iccid", decode)
+MIP_LAYOUT(mip_rtk_get_rssi, MIP_RTK_GET_RSSI, MIP_RTK_GET_RSSI, "rtk.get_rssi", decode)
 MIP_LAYOUT(mip_rtk_connected_device_type, MIP_RTK_CONNECTED_DEVICE_TYPE,
-           MIP_RTK_CONNECTED_DEVICE_TYPE, "rtk.connected_device_type")
+           MIP_RTK_CONNECTED_DEVICE_TYPE, "rtk.connected_device_type", decode)
 MIP_LAYOUT(mip_rtk_get_activation_code, MIP_RTK_GET_ACTIVATION_CODE, MIP_RTK_GET_ACTIVATION_CODE,
-           "rtk.get_activation_code")
+           "rtk.get_activation_code", decode)
 MIP_LAYOUT(mip_rtk_get_modem_firmware_version, MIP_RTK_GET_MODEM_FIRMWARE_VERSION,
-           MIP_RTK_GET_MODEM_FIRMWARE_VERSION, "rtk.get_modem_firmware_version")
+           MIP_RTK_GET_MODEM_FIRMWARE_VERSION, "rtk.get_modem_firmware_version", decode)
 MIP_LAYOUT(mip_rtk_service_status, MIP_RTK_SERVICE_STATUS, MIP_RTK_SERVICE_STATUS,
-           "rtk.service_status")
-MIP_LAYOUT(mip_rtk_erase_storage, MIP_RTK_ERASE_STORAGE, MIP_RTK_ERASE_STORAGE, "rtk.erase_storage")
-MIP_LAYOUT(mip_rtk_led_control, MIP_RTK_LED_CONTROL, MIP_RTK_LED_CONTROL, "rtk.led_control")
+           "rtk.service_status", decode_inline)
+MIP_LAYOUT(mip_rtk_erase_storage, MIP_RTK_ERASE_STORAGE, MIP_RTK_ERASE_STORAGE, "rtk.erase_storage",
+           decode_inline)
+MIP_LAYOUT(mip_rtk_led_control, MIP_RTK_LED_CONTROL, MIP_RTK_LED_CONTROL, "rtk.led_control",
+           decode_inline)
 MIP_LAYOUT(mip_rtk_modem_hard_reset, MIP_RTK_MODEM_HARD_RESET, MIP_RTK_MODEM_HARD_RESET,
-           "rtk.modem_hard_reset")
+           "rtk.modem_hard_reset", decode)
 MIP_LAYOUT(mip_rtk_get_status_flags_response, MIP_RTK_GET_STATUS_FLAGS_RESPONSE,
-           MIP_RTK_GET_STATUS_FLAGS_RESPONSE, "rtk.get_status_flags_response")
+           MIP_RTK_GET_STATUS_FLAGS_RESPONSE, "rtk.get_status_flags_response", decode_inline)
 MIP_LAYOUT(mip_rtk_get_imei_response, MIP_RTK_GET_IMEI_RESPONSE, MIP_RTK_GET_IMEI_RESPONSE,
-           "rtk.get_imei_response")
+           "rtk.get_imei_response", decode_inline)
 MIP_LAYOUT(mip_rtk_get_imsi_response, MIP_RTK_GET_IMSI_RESPONSE, MIP_RTK_GET_IMSI_RESPONSE,
-           "rtk.get_imsi_response")
+           "rtk.get_imsi_response", decode_inline)
 MIP_LAYOUT(mip_rtk_get_iccid_response, MIP_RTK_GET_ICCID_RESPONSE, MIP_RTK_GET_ICCID_RESPONSE,
-           "rtk.get_iccid_response")
+           "rtk.get_iccid_response", decode_inline)
 MIP_LAYOUT(mip_rtk_get_rssi_response, MIP_RTK_GET_RSSI_RESPONSE, MIP_RTK_GET_RSSI_RESPONSE,
-           "rtk.get_rssi_response")
+           "rtk.get_rssi_response", decode_inline)
 MIP_LAYOUT(mip_rtk_connected_device_type_response, MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE,
-           MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE, "rtk.connected_device_type_response")
+           MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE, "rtk.connected_device_type_response",
+           decode_inline)
 MIP_LAYOUT(mip_rtk_get_activation_code_response, MIP_RTK_GET_ACTIVATION_CODE_RESPONSE,
-           MIP_RTK_GET_ACTIVATION_CODE_RESPONSE, "rtk.get_activation_code_response")
+           MIP_RTK_GET_ACTIVATION_CODE_RESPONSE, "rtk.get_activation_code_response", decode_inline)
 MIP_LAYOUT(mip_rtk_get_modem_firmware_version_response, MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE,
-           MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE, "rtk.get_modem_firmware_version_response")
+           MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE, "rtk.get_modem_firmware_version_response",
+           decode_inline)
 MIP_LAYOUT(mip_rtk_service_status_response, MIP_RTK_SERVICE_STATUS_RESPONSE,
-           MIP_RTK_SERVICE_STATUS_RESPONSE, "rtk.service_status_response")
+           MIP_RTK_SERVICE_STATUS_RESPONSE, "rtk.service_status_response", decode_inline)
 
 /** RTK commands */
 inline constexpr std::uint8_t rtk_set = MIP_RTK_SET;

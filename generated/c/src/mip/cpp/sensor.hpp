@@ -5,53 +5,61 @@
 #ifndef MIP_SENSOR_HPP
 #define MIP_SENSOR_HPP
 
-#include "mip/sensor.h"
+#include "mip/sensor_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
-MIP_LAYOUT(mip_sensor_raw_accel, MIP_SENSOR_RAW_ACCEL, MIP_SENSOR_RAW_ACCEL, "sensor.raw_accel")
-MIP_LAYOUT(mip_sensor_raw_gyro, MIP_SENSOR_RAW_GYRO, MIP_SENSOR_RAW_GYRO, "sensor.raw_gyro")
-MIP_LAYOUT(mip_sensor_raw_mag, MIP_SENSOR_RAW_MAG, MIP_SENSOR_RAW_MAG, "sensor.raw_mag")
+MIP_LAYOUT(mip_sensor_raw_accel, MIP_SENSOR_RAW_ACCEL, MIP_SENSOR_RAW_ACCEL, "sensor.raw_accel",
+           decode_inline)
+MIP_LAYOUT(mip_sensor_raw_gyro, MIP_SENSOR_RAW_GYRO, MIP_SENSOR_RAW_GYRO, "sensor.raw_gyro",
+           decode_inline)
+MIP_LAYOUT(mip_sensor_raw_mag, MIP_SENSOR_RAW_MAG, MIP_SENSOR_RAW_MAG, "sensor.raw_mag",
+           decode_inline)
 MIP_LAYOUT(mip_sensor_scaled_accel, MIP_SENSOR_SCALED_ACCEL, MIP_SENSOR_SCALED_ACCEL,
-           "sensor.scaled_accel")
+           "sensor.scaled_accel", decode_inline)
 MIP_LAYOUT(mip_sensor_scaled_gyro, MIP_SENSOR_SCALED_GYRO, MIP_SENSOR_SCALED_GYRO,
-           "sensor.scaled_gyro")
-MIP_LAYOUT(mip_sensor_scaled_mag, MIP_SENSOR_SCALED_MAG, MIP_SENSOR_SCALED_MAG, "sensor.scaled_mag")
+           "sensor.scaled_gyro", decode_inline)
+MIP_LAYOUT(mip_sensor_scaled_mag, MIP_SENSOR_SCALED_MAG, MIP_SENSOR_SCALED_MAG, "sensor.scaled_mag",
+           decode_inline)
 MIP_LAYOUT(mip_sensor_delta_theta, MIP_SENSOR_DELTA_THETA, MIP_SENSOR_DELTA_THETA,
-           "sensor.delta_theta")
+           "sensor.delta_theta", decode_inline)
 MIP_LAYOUT(mip_sensor_delta_velocity, MIP_SENSOR_DELTA_VELOCITY, MIP_SENSOR_DELTA_VELOCITY,
-           "sensor.delta_velocity")
+           "sensor.delta_velocity", decode_inline)
 MIP_LAYOUT(mip_sensor_comp_orientation_matrix, MIP_SENSOR_COMP_ORIENTATION_MATRIX,
-           MIP_SENSOR_COMP_ORIENTATION_MATRIX, "sensor.comp_orientation_matrix")
+           MIP_SENSOR_COMP_ORIENTATION_MATRIX, "sensor.comp_orientation_matrix", decode_inline)
 MIP_LAYOUT(mip_sensor_comp_quaternion, MIP_SENSOR_COMP_QUATERNION, MIP_SENSOR_COMP_QUATERNION,
-           "sensor.comp_quaternion")
+           "sensor.comp_quaternion", decode_inline)
 MIP_LAYOUT(mip_sensor_comp_orientation_update_matrix, MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX,
-           MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX, "sensor.comp_orientation_update_matrix")
+           MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX, "sensor.comp_orientation_update_matrix",
+           decode_inline)
 MIP_LAYOUT(mip_sensor_comp_euler_angles, MIP_SENSOR_COMP_EULER_ANGLES, MIP_SENSOR_COMP_EULER_ANGLES,
-           "sensor.comp_euler_angles")
+           "sensor.comp_euler_angles", decode_inline)
 MIP_LAYOUT(mip_sensor_orientation_raw_temperature, MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE,
-           MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE, "sensor.orientation_raw_temperature")
+           MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE, "sensor.orientation_raw_temperature",
+           decode_inline)
 MIP_LAYOUT(mip_sensor_internal_timestamp, MIP_SENSOR_INTERNAL_TIMESTAMP,
-           MIP_SENSOR_INTERNAL_TIMESTAMP, "sensor.internal_timestamp")
+           MIP_SENSOR_INTERNAL_TIMESTAMP, "sensor.internal_timestamp", decode_inline)
 MIP_LAYOUT(mip_sensor_pps_timestamp, MIP_SENSOR_PPS_TIMESTAMP, MIP_SENSOR_PPS_TIMESTAMP,
-           "sensor.pps_timestamp")
+           "sensor.pps_timestamp", decode_inline)
 MIP_LAYOUT(mip_sensor_pps_timestamp_with_flags, MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS,
-           MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS, "sensor.pps_timestamp_with_flags")
+           MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS, "sensor.pps_timestamp_with_flags", decode_inline)
 MIP_LAYOUT(mip_sensor_north_vector, MIP_SENSOR_NORTH_VECTOR, MIP_SENSOR_NORTH_VECTOR,
-           "sensor.north_vector")
-MIP_LAYOUT(mip_sensor_up_vector, MIP_SENSOR_UP_VECTOR, MIP_SENSOR_UP_VECTOR, "sensor.up_vector")
+           "sensor.north_vector", decode_inline)
+MIP_LAYOUT(mip_sensor_up_vector, MIP_SENSOR_UP_VECTOR, MIP_SENSOR_UP_VECTOR, "sensor.up_vector",
+           decode_inline)
 MIP_LAYOUT(mip_sensor_gps_timestamp, MIP_SENSOR_GPS_TIMESTAMP, MIP_SENSOR_GPS_TIMESTAMP,
-           "sensor.gps_timestamp")
+           "sensor.gps_timestamp", decode_inline)
 MIP_LAYOUT(mip_sensor_temperature_statistics, MIP_SENSOR_TEMPERATURE_STATISTICS,
-           MIP_SENSOR_TEMPERATURE_STATISTICS, "sensor.temperature_statistics")
+           MIP_SENSOR_TEMPERATURE_STATISTICS, "sensor.temperature_statistics", decode_inline)
 MIP_LAYOUT(mip_sensor_raw_pressure, MIP_SENSOR_RAW_PRESSURE, MIP_SENSOR_RAW_PRESSURE,
-           "sensor.raw_pressure")
+           "sensor.raw_pressure", decode_inline)
 MIP_LAYOUT(mip_sensor_scaled_pressure, MIP_SENSOR_SCALED_PRESSURE, MIP_SENSOR_SCALED_PRESSURE,
-           "sensor.scaled_pressure")
+           "sensor.scaled_pressure", decode_inline)
 MIP_LAYOUT(mip_sensor_overrange_status, MIP_SENSOR_OVERRANGE_STATUS, MIP_SENSOR_OVERRANGE_STATUS,
-           "sensor.overrange_status")
-MIP_LAYOUT(mip_sensor_odometer, MIP_SENSOR_ODOMETER, MIP_SENSOR_ODOMETER, "sensor.odometer")
+           "sensor.overrange_status", decode_inline)
+MIP_LAYOUT(mip_sensor_odometer, MIP_SENSOR_ODOMETER, MIP_SENSOR_ODOMETER, "sensor.odometer",
+           decode_inline)
 
 /** Sensor data */
 inline constexpr std::uint8_t sensor_set = MIP_SENSOR_SET;

@@ -5,27 +5,28 @@
 #ifndef MIP_SHARED_HPP
 #define MIP_SHARED_HPP
 
-#include "mip/shared.h"
+#include "mip/shared_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_shared_event_source, MIP_SHARED_EVENT_SOURCE, MIP_SHARED_EVENT_SOURCE,
-           "shared.event_source")
-MIP_LAYOUT(mip_shared_ticks, MIP_SHARED_TICKS, MIP_SHARED_TICKS, "shared.ticks")
+           "shared.event_source", decode_inline)
+MIP_LAYOUT(mip_shared_ticks, MIP_SHARED_TICKS, MIP_SHARED_TICKS, "shared.ticks", decode_inline)
 MIP_LAYOUT(mip_shared_delta_ticks, MIP_SHARED_DELTA_TICKS, MIP_SHARED_DELTA_TICKS,
-           "shared.delta_ticks")
+           "shared.delta_ticks", decode_inline)
 MIP_LAYOUT(mip_shared_gps_timestamp, MIP_SHARED_GPS_TIMESTAMP, MIP_SHARED_GPS_TIMESTAMP,
-           "shared.gps_timestamp")
-MIP_LAYOUT(mip_shared_delta_time, MIP_SHARED_DELTA_TIME, MIP_SHARED_DELTA_TIME, "shared.delta_time")
+           "shared.gps_timestamp", decode_inline)
+MIP_LAYOUT(mip_shared_delta_time, MIP_SHARED_DELTA_TIME, MIP_SHARED_DELTA_TIME, "shared.delta_time",
+           decode_inline)
 MIP_LAYOUT(mip_shared_reference_timestamp, MIP_SHARED_REFERENCE_TIMESTAMP,
-           MIP_SHARED_REFERENCE_TIMESTAMP, "shared.reference_timestamp")
+           MIP_SHARED_REFERENCE_TIMESTAMP, "shared.reference_timestamp", decode_inline)
 MIP_LAYOUT(mip_shared_reference_time_delta, MIP_SHARED_REFERENCE_TIME_DELTA,
-           MIP_SHARED_REFERENCE_TIME_DELTA, "shared.reference_time_delta")
+           MIP_SHARED_REFERENCE_TIME_DELTA, "shared.reference_time_delta", decode_inline)
 MIP_LAYOUT(mip_shared_external_timestamp, MIP_SHARED_EXTERNAL_TIMESTAMP,
-           MIP_SHARED_EXTERNAL_TIMESTAMP, "shared.external_timestamp")
+           MIP_SHARED_EXTERNAL_TIMESTAMP, "shared.external_timestamp", decode_inline)
 MIP_LAYOUT(mip_shared_external_time_delta, MIP_SHARED_EXTERNAL_TIME_DELTA,
-           MIP_SHARED_EXTERNAL_TIME_DELTA, "shared.external_time_delta")
+           MIP_SHARED_EXTERNAL_TIME_DELTA, "shared.external_time_delta", decode_inline)
 
 /** Shared data */
 inline constexpr std::uint8_t shared_set = MIP_SHARED_SET;

@@ -5,18 +5,20 @@
 #ifndef MIP_SYSTEM_HPP
 #define MIP_SYSTEM_HPP
 
-#include "mip/system.h"
+#include "mip/system_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_system_interface_control, MIP_SYSTEM_INTERFACE_CONTROL, MIP_SYSTEM_INTERFACE_CONTROL,
-           "system.interface_control")
-MIP_LAYOUT(mip_system_comm_mode, MIP_SYSTEM_COMM_MODE, MIP_SYSTEM_COMM_MODE, "system.comm_mode")
+           "system.interface_control", decode)
+MIP_LAYOUT(mip_system_comm_mode, MIP_SYSTEM_COMM_MODE, MIP_SYSTEM_COMM_MODE, "system.comm_mode",
+           decode)
 MIP_LAYOUT(mip_system_interface_control_response, MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE,
-           MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE, "system.interface_control_response")
+           MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE, "system.interface_control_response",
+           decode_inline)
 MIP_LAYOUT(mip_system_comm_mode_response, MIP_SYSTEM_COMM_MODE_RESPONSE,
-           MIP_SYSTEM_COMM_MODE_RESPONSE, "system.comm_mode_response")
+           MIP_SYSTEM_COMM_MODE_RESPONSE, "system.comm_mode_response", decode_inline)
 
 /** System */
 inline constexpr std::uint8_t system_set = MIP_SYSTEM_SET;

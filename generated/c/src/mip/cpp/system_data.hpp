@@ -5,19 +5,19 @@
 #ifndef MIP_SYSTEM_DATA_HPP
 #define MIP_SYSTEM_DATA_HPP
 
-#include "mip/system_data.h"
+#include "mip/system_data_inline.h"
 #include "mip/cpp/types.hpp"
 
 namespace mip {
 
 MIP_LAYOUT(mip_system_data_built_in_test, MIP_SYSTEM_DATA_BUILT_IN_TEST,
-           MIP_SYSTEM_DATA_BUILT_IN_TEST, "system_data.built_in_test")
+           MIP_SYSTEM_DATA_BUILT_IN_TEST, "system_data.built_in_test", decode_inline)
 MIP_LAYOUT(mip_system_data_time_sync_status, MIP_SYSTEM_DATA_TIME_SYNC_STATUS,
-           MIP_SYSTEM_DATA_TIME_SYNC_STATUS, "system_data.time_sync_status")
+           MIP_SYSTEM_DATA_TIME_SYNC_STATUS, "system_data.time_sync_status", decode_inline)
 MIP_LAYOUT(mip_system_data_gpio_state, MIP_SYSTEM_DATA_GPIO_STATE, MIP_SYSTEM_DATA_GPIO_STATE,
-           "system_data.gpio_state")
+           "system_data.gpio_state", decode_inline)
 MIP_LAYOUT(mip_system_data_gpio_analog_value, MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE,
-           MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE, "system_data.gpio_analog_value")
+           MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE, "system_data.gpio_analog_value", decode_inline)
 
 /** System data */
 inline constexpr std::uint8_t system_data_set = MIP_SYSTEM_DATA_SET;

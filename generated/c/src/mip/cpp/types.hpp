@@ -6,12 +6,12 @@
 #define MIP_TYPES_HPP
 
 #include "mip/cpp/core.hpp"
-#include "mip/protocol.h"
+#include "mip/protocol_inline.h"
 
 namespace mip {
 
 MIP_LAYOUT(mip_protocol_acknowledge, MIP_PROTOCOL_ACKNOWLEDGE, MIP_PROTOCOL_ACKNOWLEDGE,
-           "protocol.acknowledge")
+           "protocol.acknowledge", decode_inline)
 
 /** mip_function_selector: function_selector */
 enum class function_selector : uint8_t {

@@ -218,8 +218,10 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
     }
     client->behind = client->missed;
     const size_t size = client->behind / 2U;
-    for (size_t i = 0; i < size; i += 2) {
-        mip_put_16(bytes + MIP_HEADER_SIZE + i, 2 << 8 | MIP_BARRIER_DESCRIPTOR);
+    uint8_t *at = bytes + MIP_HEADER_SIZE;
+    for (size_t left = size; left > 0; left -= 2) {
+        *at++ = 2;
+        *at++ = MIP_BARRIER_DESCRIPTOR;
     }
     return mip_packet_seal(bytes, MIP_BARRIER_SET, size);
 }
@@ -293,6 +295,13 @@ static bool is_late(const struct mip_request *request, uint32_t now) {
     return (uint32_t)(now - request->deadline) <= MIP_MAX_TIMEOUT; /* the time may wrap around */
 }
 
+/** Removes a request whose reply may still arrive. */
+MIP_APART void give_up(struct mip_client *client, struct mip_request **at,
+                       enum mip_outcome outcome) {
+    leave(at, outcome);
+    mip_client_miss(client);
+}
+
 bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                      struct mip_packet *packet) {
     for (struct mip_request **at = &client->waiting; *at != NULL;) {
@@ -301,8 +310,7 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
         } else if (parser != NULL && mip_parser_look_behind(parser, packet)) {
             return true; /* noise may hide a reply; the part of the next packet is kept */
         } else {
-            leave(at, MIP_TIMED_OUT);
-            mip_client_miss(client);
+            give_up(client, at, MIP_TIMED_OUT);
 #ifdef MIP_DIAGNOSTICS
             client->timeouts++;
 #endif
@@ -317,7 +325,6 @@ void mip_client_cancel(struct mip_client *client, struct mip_request *request) {
         at = &(*at)->next;
     }
     if (*at != NULL) {
-        leave(at, MIP_CLOSED);
-        mip_client_miss(client);
+        give_up(client, at, MIP_CLOSED);
     }
 }

@@ -192,8 +192,9 @@ bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
     if (mip_set_has(descriptor_set, codec->descriptor_set)) {
         return true;
     }
-    for (size_t i = codec->more_sets; i > 0; i--) {
-        if (*(codec->program - i) == descriptor_set) {
+    const uint8_t *set = codec->program;
+    for (size_t left = codec->more_sets; left > 0; left--) {
+        if (*--set == descriptor_set) {
             return true;
         }
     }
@@ -218,8 +219,10 @@ MIP_APART mip_error check(const struct mip_field *field, const struct mip_codec 
 }
 
 bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) {
-    return field->descriptor == codec->descriptor &&
-           mip_codec_belongs(codec, field->descriptor_set) && mip_codec_matches(codec, field);
+    return SMALL ? check(field, codec) < MIP_ERROR_SET /* of any size */
+                 : field->descriptor == codec->descriptor &&
+                       mip_codec_belongs(codec, field->descriptor_set) &&
+                       mip_codec_matches(codec, field);
 }
 
 /** Decodes most fields, without a call. Returns false for others; then nothing has changed. */

@@ -1,6 +1,8 @@
 /* A device at a port. */
 #include "mip/device.h"
 
+#include "mip/core/parser.h"
+
 #include <string.h>
 
 void mip_device_begin(struct mip_device *device, const struct mip_port *port, size_t handler_count,
@@ -17,15 +19,41 @@ void mip_device_begin(struct mip_device *device, const struct mip_port *port, si
 /* No field has descriptor 0. */
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
+#ifdef MIP_PARSER_FAST
+/** Notes which descriptors, modulo 32, the handlers may want, so that other fields cost little. */
+static void select_fields(struct mip_device *device) {
+    if (device->selected != device->handler_count) { /* C++ adds handlers one by one */
+        const struct mip_handler *h = device->handlers;
+        device->selected = device->handler_count;
+        device->descriptors = 0;
+        for (size_t left = device->handler_count; left > 0; left--, h++) {
+            device->descriptors |= h->type != NULL && h->type->descriptor != 0
+                                       ? UINT32_C(1) << (h->type->descriptor & 31)
+                                       : UINT32_MAX; /* an empty entry may be filled later */
+        }
+    }
+}
+#endif
+
+/** May a handler want a field with this descriptor? */
+static bool wanted(const struct mip_device *device, uint8_t descriptor) {
+#ifdef MIP_PARSER_FAST
+    return (device->descriptors >> (descriptor & 31) & 1) != 0;
+#else
+    (void)device, (void)descriptor;
+    return true;
+#endif
+}
+
 /** Calls the first handler that matches a field. Most handlers differ in the descriptor. */
 static void dispatch(const struct mip_device *device, const struct mip_field *field) {
     const struct mip_handler *h = device->handlers;
     for (size_t left = device->handler_count; left > 0; left--, h++) {
         const struct mip_codec *type = h->type;
-        if (type != NULL && (type->descriptor == 0 || type->descriptor == field->descriptor) &&
+        if (type != NULL &&
             (h->descriptor_set == MIP_ANY_SET || h->descriptor_set == field->descriptor_set) &&
             (type->descriptor == 0 ||
-             (mip_codec_belongs(type, field->descriptor_set) && mip_codec_matches(type, field)))) {
+             (type->descriptor == field->descriptor && mip_field_is(field, type)))) {
             if (h->handle != NULL) {
                 h->handle(h->user, field, device->heard);
             }
@@ -52,7 +80,7 @@ static void count_packet(struct mip_device *device, const struct mip_packet *pac
 }
 
 /** Tells the program where a packet begins or ends. */
-static void observe(const struct mip_device *device, bool ends) {
+MIP_INLINE void observe(const struct mip_device *device, bool ends) {
     if (device->observer != NULL) {
         device->observer->packet(device->observer->user, device, ends);
     }
@@ -60,17 +88,22 @@ static void observe(const struct mip_device *device, bool ends) {
 
 /** Passes the replies in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
-    struct mip_walk walk = mip_walk_packet(packet);
+    struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
+                            packet->bytes + packet->size - MIP_CHECKSUM_SIZE,
+                            packet->descriptor_set, MIP_OK};
     struct mip_request *answered;
     struct mip_field field;
     count_packet(device, packet);
-    if (mip_client_passes(&device->client, packet)) {
+    if (device->client.behind != 0 && mip_client_passes(&device->client, packet)) {
         return;
     }
     device->packet = packet;
     observe(device, false);
+#ifdef MIP_PARSER_FAST
+    select_fields(device);
+#endif
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
-        if (answered == NULL) {
+        if (answered == NULL && wanted(device, field.descriptor)) {
             dispatch(device, &field);
         }
     }
@@ -89,7 +122,7 @@ static void show(const struct mip_device *device, const uint8_t *bytes, size_t s
 }
 
 /** Handles received bytes, and updates the time. Returns false if this is called in a handler. */
-static bool handle_bytes(struct mip_device *device, const uint8_t *data, size_t size, bool open) {
+static bool handle_bytes(struct mip_device *device, const uint8_t *data, size_t size, bool ended) {
     struct mip_packet packet;
     mip_device_lock(device, true);
     if (device->packet != NULL) {
@@ -100,8 +133,9 @@ static bool handle_bytes(struct mip_device *device, const uint8_t *data, size_t 
     if (size > 0) {
         device->heard = now;
     }
-    const bool ended =
-        !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
+    if (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence) {
+        ended = true;
+    }
     if (size >= MIP_MAX_PACKET) { /* the reply may already wait after the bytes read */
         now -= MIP_BACKLOG;
     }
@@ -125,11 +159,11 @@ static bool update(struct mip_device *device, uint8_t *bytes) {
         size = 0;
         open = false;
     }
-    return handle_bytes(device, bytes, size, open) && open;
+    return handle_bytes(device, bytes, size, !open) && open;
 }
 
 bool mip_device_step(struct mip_device *device, const uint8_t *data, size_t size) {
-    return handle_bytes(device, data, size, true);
+    return handle_bytes(device, data, size, false);
 }
 
 /** Does the same unless this is called in a handler. */
@@ -164,7 +198,7 @@ static bool guard(struct mip_device *device) {
 }
 
 /** Takes in what has arrived before a command is sent: it cannot be the reply to that. */
-static void take_in(struct mip_device *device, uint8_t *bytes) {
+MIP_INLINE void take_in(struct mip_device *device, uint8_t *bytes) {
     if (device->wait != NULL) {
         device->wait(device, bytes, NULL);
     }
