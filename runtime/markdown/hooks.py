@@ -54,7 +54,7 @@ _BEGINNINGS = {
     "errata": 40,
     "sets/": 120,
     "devices/": 120,
-    "project/": 500,
+    "project/": 1500,
 }
 _TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
 _LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
@@ -111,6 +111,7 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
     title, *parts = sections(content if whole else _LEFT_OUT.sub(" ", content))
     if WORKBENCH and path.startswith(("fields/", "devices/", "sets/")):
         parts = [part for part in parts if "." in part[0]]  # responses; other sections are alike on all pages
+    parts = [part for part in parts if part[1] != "See also"]
     cut = next((length for begins, length in _BEGINNINGS.items() if WORKBENCH and path.startswith(begins)), None)
     kept = [[anchor, heading, text[:cut]] for anchor, heading, text in [["", "", title[2]], *parts]]
     _texts[page.url] = [page.url, title[1] or page.title, kept]

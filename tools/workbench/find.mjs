@@ -134,9 +134,13 @@ function byDescriptor({ protocol }, query) {
         .map((field) => ({ field, rank: occursIn(field, first) ? EXACT - 2 : EXACT - 1 }));
 }
 
-/** Finds what MSCL's messages call by set and descriptor in one decimal number: "The command (3399) is not supported". */
+/**
+ * Finds what a sentence calls by set and descriptor: "what is 0x82,0x10"; also as one decimal number, as in MSCL's "The
+ * command (3399) is not supported".
+ */
 function byNumber({ protocol }, query) {
-    const numbers = query.match(/(?<![\w.,])\d{4,5}(?![\w.,])/g) ?? [];
+    const pairs = [...query.matchAll(/\b0x([0-9a-f]{2})[\s,]*(?:0x)?([0-9a-f]{2})\b/gi)];
+    const numbers = [...pairs.map(([, set, one]) => Number(`0x${set}${one}`)), ...(query.match(/(?<![\w.,])\d{4,5}(?![\w.,])/g) ?? [])];
     const fields = numbers.flatMap((number) => protocol.candidates(number >> 8, number & 0xff));
     return fields.map((field) => ({ field, rank: EXACT - 3 }));
 }

@@ -1,8 +1,8 @@
 // Ranks documents by words: BM25F (Robertson and Zaragoza, 2009). A word also stands for words that begin with it, for its
 // synonyms, for two words written as one, and, if nothing has it, for the nearest known word.
 
-const SATURATION = 1.2; // how soon more of the same word counts for nothing
-const BY_LENGTH = 0.6; // how much a long text counts less
+const SATURATION = 2; // how soon more of the same word counts for nothing
+const BY_LENGTH = 0.4; // how much a long text counts less
 const SYNONYM = 0.7;
 const LONGER = 0.7; // a word that begins with the query's
 
@@ -34,7 +34,7 @@ export function stem(word) {
     const plain = word.replace(/(?:ies|ied|y)$/, "i").replace(/(?<!s)s$/, "");
     if (plain.length < 5) return plain;
     const root = plain.replace(/(?:(?<=.{4})(?:li|ness|able)|(?<=.{5})e?ment|at(?:ions?|e[ds]?|ing|ors?)|ions?|ing|ed|es|e)$/, "");
-    return root.length < plain.length ? root.replace(/([bdgmnprt])\1$/, "$1") : root; // stopped, mapping
+    return root.length < plain.length ? root.replace(/([bdgmnprt])\1$/, "$1").replace(/(?<!s)s$/, "") : root; // stopped, biases
 }
 
 /** Counts the letters that are wrong, missing, superfluous, or swapped with the next one. */
@@ -207,7 +207,7 @@ export class Ranking {
         const found = [...scores.values()].map(({ at, score, covered }) => ({
             at,
             covered: covered / whole,
-            score: score * (covered / whole) ** 2 * (1 + this.#shareOf(at, stems)),
+            score: score * (covered / whole) * (1 + this.#shareOf(at, stems)),
         }));
         return { found: found.sort((a, b) => b.score - a.score || a.at - b.at), instead };
     }

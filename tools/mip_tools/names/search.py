@@ -14,13 +14,13 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cache
 
-from ..binding import KEYWORDS, SETS, SYNONYMS, info, registry
+from ..binding import KEYWORDS, SETS, SYNONYMS, Command, Response, info, registry
 from .occurrence import Occurrence
 
 #: Weights of a word in names, in keywords, in the name of the set, in parameters, in descriptions.
 _WEIGHTS = (6, 5, 2, 1.5, 1)
-_SATURATION = 1.2
-_BY_LENGTH = 0.6
+_SATURATION = 2
+_BY_LENGTH = 0.4
 _SYNONYM = 0.7
 _LONGER = 0.7
 #: Results with less than this part of the best score are left out.
@@ -46,8 +46,12 @@ def all_fields() -> list[Occurrence]:
 
 
 def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
-    """Returns the fields that have words of a text, the best first; before them, those of its decimal numbers."""
+    """Returns the fields that have words of a text, the best first; before them, those of its numbers.
+
+    A response is found by its number only; its words find its command.
+    """
     numbers = {int(number) for number in re.findall(r"(?<![\w.,])\d{4,5}(?![\w.,])", text)}  # MSCL: "command (3399)"
+    numbers |= {int(a + b, 16) for a, b in re.findall(r"(?i)\b0x([0-9a-f]{2})[\s,]*(?:0x)?([0-9a-f]{2})\b", text)}
     numbered = [f for f in fields if f.set << 8 | f.kind.DESCRIPTOR in numbers]
     text = re.sub(r"(?<=[a-z0-9])(?=[A-Z][a-z])", " ", text)  # PpsSource
     scores: dict[Occurrence, float] = defaultdict(float)
@@ -56,13 +60,13 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
     whole = 0.0
     for meant in parts:
         having = _having(meant)
-        whole += max((rarity for _, rarity in having.values()), default=math.log(1 + len(all_fields())))
+        whole += max((rarity for _, rarity in having.values()), default=math.log(1 + len(_searched())))
         for field, (score, rarity) in having.items():
             scores[field] += score
             covered[field] += rarity
     stems = {stem for meant in parts for stem, weight in meant.items() if weight == 1}
     totals = {
-        field: scores[field] * (covered[field] / whole) ** 2 * (1 + _share_of(field, stems))
+        field: scores[field] * (covered[field] / whole) * (1 + _share_of(field, stems))
         for field in fields
         if field in scores
     }
@@ -73,7 +77,7 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
 
 def _having(meant: dict[str, float]) -> dict[Occurrence, tuple[float, float]]:
     """Returns the fields that have one of the stems: how much of it, and how rare it is; the best of a field counts."""
-    postings, count = _index()[0], len(all_fields())
+    postings, count = _index()[0], len(_searched())
     rarities = {stem: math.log(1 + (count - len(postings[stem]) + 0.5) / (len(postings[stem]) + 0.5)) for stem in meant}
     most = next((rarities[stem] for stem, weight in meant.items() if weight == 1), math.inf)
     found: dict[Occurrence, tuple[float, float]] = defaultdict(lambda: (0.0, 0.0))
@@ -110,6 +114,8 @@ def _stem(word: str) -> str:
     {'calibr'}
     >>> {_stem(word) for word in ("stopping", "stopped", "stops")}, _stem("manually"), _stem("measurement")
     ({'stop'}, 'manual', 'measur')
+    >>> _stem("biases") == _stem("bias")
+    True
     """
     if len(word) < 4 or re.search("[0-9]", word):
         return word
@@ -118,23 +124,30 @@ def _stem(word: str) -> str:
         return plain
     endings = r"((?<=.{4})(li|ness|able)|(?<=.{5})e?ment|at(ions?|e[ds]?|ing|ors?)|ions?|ing|ed|es|e)$"
     root = re.sub(endings, "", plain)
-    return re.sub(r"([bdgmnprt])\1$", r"\1", root) if root != plain else root
+    return re.sub(r"(?<!s)s$", "", re.sub(r"([bdgmnprt])\1$", r"\1", root)) if root != plain else root
 
 
 def _texts(field: Occurrence) -> list[str]:
     """Returns what is searched, one text for each weight."""
     about = info(field.kind)
     names = [field.name.split(".")[-1], about.title, *about.also]
-    parameters = about.parameters
-    texts = [about.text, *(p.text for p in parameters)]
-    parts = (names, KEYWORDS.get(about.name, ()), SETS.get(field.set, ()), [p.name for p in parameters], texts)
+    kinds = [field.kind, *(field.kind.RESPONSES if issubclass(field.kind, Command) else ())]
+    parameters = [p for kind in kinds for p in info(kind).parameters]
+    types = {one for p in parameters for one in (p.type, *(v.changes.get("type") for v in p.variants))}
+    values = [str(name).lower() for one in types for name in getattr(one, "__members__", ())]
+    texts = [info(kind).text for kind in kinds] + [p.text for p in parameters]
+    parts = (names, KEYWORDS.get(about.name, ()), SETS.get(field.set, ()), [p.name for p in parameters] + values, texts)
     return [" ".join(part) for part in parts]
+
+
+def _searched() -> list[Occurrence]:
+    return [field for field in all_fields() if not (issubclass(field.kind, Response) and field.kind.COMMANDS)]
 
 
 @cache
 def _index() -> tuple[dict[str, dict[Occurrence, float]], list[str], dict[str, set[str]]]:
     """Returns stem -> field -> how much of it, all words, and stem -> stems of its synonyms."""
-    split = {field: [_words(text) for text in _texts(field)] for field in all_fields()}
+    split = {field: [_words(text) for text in _texts(field)] for field in _searched()}
     lengths = [[len(texts[i]) for texts in split.values() if texts[i]] for i in range(len(_WEIGHTS))]
     means = [sum(some) / len(some) if some else 1 for some in lengths]
     postings: dict[str, dict[Occurrence, float]] = defaultdict(lambda: defaultdict(float))

@@ -3,14 +3,17 @@
 globalThis.mipSearch = (() => {
     const MOST = 14;
     const OF_A_PAGE = 2;
+    const PAGES_FIRST = 3; // the first results are of different pages
     const LEAST = 5; // results are shown even if they are much worse than the first
     const NAMED = 6; // fields whose names begin with the text
     /** How much pages count that are rarely asked for: those that repeat others, those for developers, documents. */
     const COUNT = [
         [/^(errata|examples|types|compare|indexes)\b.*#/, 0.3],
-        [/^project\/(architecture|conformance|contribute|keys|new-language|proofs|site|spec|versions)/, 0.6],
+        [/^project\/(architecture|conformance|keys|new-language|proofs|simulate-reference|site|spec|versions)/, 0.6],
         [/^project\//, 0.85],
     ];
+    /** Pages that are found by the words of all their sections, too. */
+    const STORY = /^(guides|project)\/|^(packets|units)\./;
     const DEPRECATED = 0.3;
 
     /**
@@ -41,11 +44,13 @@ globalThis.mipSearch = (() => {
         for (const [url, title, sections] of pages.values()) {
             const { also = [], model_number: number = "" } = devices.get(url) ?? {};
             const others = [title, ...also, number].join(" "); // the number is on the label: 6254, 6254-4220
+            const whole = sections.map((section) => section.slice(1).join(" ")).join(" "); // words that no section has alone
             for (const [anchor, heading, content] of sections) {
                 const href = anchor ? `${url}#${anchor}` : url;
                 const less = COUNT.find(([pages]) => pages.test(href))?.[1] ?? 1;
                 const own = heading ? [heading, "", title] : [others, "", title];
-                documents.push({ url, href, title, heading, content, less, phrases: [heading || title], texts: [...own, "", content] });
+                const words = !heading && STORY.test(url) ? whole : content;
+                documents.push({ url, href, title, heading, content, less, phrases: [heading || title], texts: [...own, "", words] });
             }
         }
         return documents;
@@ -73,12 +78,15 @@ globalThis.mipSearch = (() => {
         }
         found.sort((a, b) => b.score - a.score || a.at - b.at);
         const counts = new Map();
-        const spread = found.filter(({ at }) => {
+        const spread = found.flatMap(({ at, score }) => {
             const { url, href } = documents[at];
-            counts.set(url ?? href, (counts.get(url ?? href) ?? 0) + 1);
-            return counts.get(url ?? href) <= OF_A_PAGE;
+            const count = counts.get(url ?? href) ?? 0;
+            counts.set(url ?? href, count + 1);
+            return count < OF_A_PAGE ? [{ at, score, count }] : [];
         });
-        return spread.filter(({ score }, i) => i < LEAST || score > found[0].score / 10).map(({ at }) => documents[at]);
+        const first = spread.filter(({ count }) => !count).slice(0, PAGES_FIRST);
+        const shown = [...first, ...spread.filter((one) => !first.includes(one))];
+        return shown.filter(({ score }, i) => i < LEAST || score > found[0].score / 10).map(({ at }) => documents[at]);
     }
 
     /** Returns the text around the first of the words. */
