@@ -19,44 +19,6 @@ from .remarks import sources, uncertain
 from .texts import Fact, Ref, Text, Thing, fact, joined, measured, number, prose, quotation, say, topics
 from .variants import usual_text, variant_text, variants
 
-__all__ = [
-    "Fact",
-    "Ref",
-    "Text",
-    "Thing",
-    "bits",
-    "bits_place",
-    "case",
-    "changed",
-    "condition",
-    "conditions",
-    "default_text",
-    "device",
-    "evidence",
-    "field",
-    "firmware",
-    "in_code",
-    "joined",
-    "length_facts",
-    "limits_text",
-    "measured",
-    "number",
-    "parameter",
-    "prose",
-    "quotation",
-    "say",
-    "sources",
-    "summary",
-    "topics",
-    "type_facts",
-    "uncertain",
-    "usual_text",
-    "value",
-    "variant_text",
-    "variants",
-    "why",
-]
-
 
 class _Composed:
     """The facts of one model, each composed when it is first needed."""
