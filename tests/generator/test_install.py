@@ -73,14 +73,6 @@ def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> N
     use(bin_folder / "mipgen", tmp_path / "work")
 
 
-def test_it_reads_its_files_from_an_archive_too(built: Path, tmp_path: Path) -> None:
-    run(
-        sys.executable, "-m", "mipgen", "generate", "--spec", INVENTED, "--out", tmp_path / "out",
-        cwd=tmp_path, PYTHONPATH=str(wheel(built)),
-    )  # fmt: skip
-    assert tree(tmp_path / "out") == tree(GOLDEN)
-
-
 def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
     with zipfile.ZipFile(wheel(built)) as archive:
         held = {name for name in archive.namelist() if ".dist-info/" not in name}

@@ -15,7 +15,7 @@ def program() -> str:
     parts: list[bytes | str] = [sys.version, *_libraries()]
     root = resources.root()
     data = ("templates", "runtime", "spec/schema", *resources.PROGRAMS)
-    for folder in (resources.package(), *(root / name for name in data)):
+    for folder in (resources.PACKAGE, *(root / name for name in data)):
         for path, file in resources.files_in(folder):
             parts += [path, file.read_bytes()]
     return cache.key(*parts, (root / "LICENSE").read_bytes())

@@ -9,10 +9,7 @@ import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
-from pathlib import Path
 from typing import Any, TypeVar
-
-from . import resources
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -26,8 +23,7 @@ def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Resu
     Raises the exception of the first item that fails."""
     count = min(len(items), _processors())
     unsafe = not hasattr(os, "fork") or sys.platform == "darwin"
-    archive = not isinstance(resources.root(), Path)  # forked processes share the offset of an open archive
-    if count < 2 or unsafe or archive:
+    if count < 2 or unsafe:
         return [function(item) for item in items]
     gc.freeze()  # processes share the existing objects; marking them would copy them
     try:

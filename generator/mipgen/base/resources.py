@@ -3,13 +3,8 @@
 from __future__ import annotations
 
 import functools
-import importlib.resources
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from importlib.resources.abc import Traversable
 
 #: Programs that show the bindings with fields of MIP, and parts of the bindings' READMEs about them.
 PROGRAMS = ("examples", "docs/parts")
@@ -17,21 +12,21 @@ PROGRAMS = ("examples", "docs/parts")
 MANIFEST = ".manifest"  # the list of the files in an output folder
 
 
+#: The folder of this program.
+PACKAGE = Path(__file__).parents[1]
+
+
 @functools.cache
-def root() -> Traversable:
+def root() -> Path:
     """Returns the folder that contains `templates/`, `spec/schema/` and `LICENSE`.
 
     In a wheel they are in `mipgen/data`. In a checkout they are at the top, where people look for them.
     """
-    installed = package() / "data"
-    return installed if installed.is_dir() else Path(__file__).parents[3]
+    installed = PACKAGE / "data"
+    return installed if installed.is_dir() else PACKAGE.parents[1]
 
 
-def package() -> Traversable:
-    return importlib.resources.files("mipgen")
-
-
-def files_in(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
+def files_in(folder: Path, under: str = "") -> Iterator[tuple[str, Path]]:
     """Yields all files below a folder with their paths, in order, without hidden files and Python's caches."""
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.is_file():

@@ -210,7 +210,7 @@ def new(options: Namespace) -> int:
     import yaml
 
     folder: Path = options.folder
-    text = (resources.package() / "new.yaml").read_text("utf-8")
+    text = (resources.PACKAGE / "new.yaml").read_text("utf-8")
     files = {path: content.encode() for path, content in yaml.safe_load(text).items()}
     schemas = resources.files_in(resources.root() / "spec/schema", "schema/")
     try:

@@ -23,8 +23,6 @@ from mipgen.base import resources
 from mipgen.base.errors import Failure
 
 if TYPE_CHECKING:
-    from importlib.resources.abc import Traversable
-
     from .target import Target
 
 BUILT_IN = "mipgen.targets"  # named, not imported: targets import this package
@@ -37,8 +35,8 @@ class Source:
     """The files of a target."""
 
     name: str
-    folders: tuple[Traversable, ...]  # of templates; the first folder that contains a file takes precedence
-    runtimes: tuple[Traversable, ...]  # of files that are copied unchanged, likewise
+    folders: tuple[Path, ...]  # of templates; the first folder that contains a file takes precedence
+    runtimes: tuple[Path, ...]  # of files that are copied unchanged, likewise
     module: Path | None = None  # the user's target.py
     program: str | None = None  # the program of a plugin, which consists of nothing else
     without: tuple[str, ...] = ()  # the parts to leave out
@@ -53,7 +51,7 @@ class Source:
 
     def load(self) -> Target:
         """Loads the target that its module defines."""
-        from .target import Target, WrongTarget  # slow to import, and not needed if nothing has changed
+        from .target import Target  # slow to import, and not needed if nothing has changed
 
         if self.module is None:
             built_in: Target = importlib.import_module(f"{BUILT_IN}.{self.name}").TARGET
@@ -68,9 +66,9 @@ class Source:
             spec.loader.exec_module(module)
         except SyntaxError as error:
             raise Failure(f"not Python: {error.msg}", f"{error.filename}:{error.lineno}") from None
-        except WrongTarget as error:
-            ours = (f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(self.module))
-            raise Failure(str(error), f"{self.module}:{[f.lineno for f in ours][-1]}") from None
+        except TypeError as error:  # a Target with an unknown attribute, or without a required one
+            lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(self.module)]
+            raise Failure(str(error), f"{self.module}:{lines[-1]}") from None
         target = getattr(module, "TARGET", None)
         if not isinstance(target, Target):
             raise Failure("TARGET is missing; add TARGET = Target(title=..., files=...)", str(self.module))

@@ -6,9 +6,8 @@ what the target's driver in `tests/conformance` can do.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import MISSING, dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .formatting import Formatter
@@ -18,17 +17,13 @@ if TYPE_CHECKING:
     from mipgen.model import Device, Family, Field, Model, Set, Struct
     from mipgen.model.guides import Guide
 
-__all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target", "WrongTarget"]
+__all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target"]
 
 #: Operations that the driver of a target may offer.
 OPERATIONS = ("parse", "decode", "encode", "client", "live")
 
 
 Filters: TypeAlias = "Mapping[str, Callable[..., Any]]"
-
-
-class WrongTarget(ValueError):
-    """A Target with an unknown or wrong attribute, or without a required one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,59 +80,9 @@ class Target:
     #: The program that runs or builds the driver, if it needs one: "node". It is tested where that is installed.
     program: str = ""
 
-    def __new__(cls, *positional: object, **named: object) -> Target:
-        """Reports unknown attributes in words, before Python raises its own error."""
-        needed = {f.name: f.default is MISSING and f.default_factory is MISSING for f in fields(cls)}
-        for name in named:
-            if name not in needed:
-                raise WrongTarget(f"a Target has no attribute '{name}'; it may have {', '.join(needed)}")
-        missing = [name for name, is_needed in needed.items() if is_needed and name not in named]
-        if missing or positional:
-            raise WrongTarget("a Target needs title and files, by name: Target(title=..., files=..., ...)")
-        return object.__new__(cls)
-
-    def __post_init__(self) -> None:
-        for name, (is_valid, requirement) in _REQUIREMENTS.items():
-            value = getattr(self, name)
-            if not is_valid(value):
-                raise WrongTarget(f"{name} must be {requirement}, not {value!r}")
-
     def renaming(self, package: str) -> Callable[[str], str] | None:
         """Returns a function that puts the names of a package into a text; None if nothing is to be renamed."""
         from mipgen.model import OWN_PACKAGE
 
         rename = self.rename
         return None if rename is None or package == OWN_PACKAGE else lambda text: rename(text, package)
-
-
-def _optional(kind: type) -> Callable[[object], bool]:
-    return lambda value: value is None or isinstance(value, kind)
-
-
-def _text(value: object) -> bool:
-    return isinstance(value, str)
-
-
-def _operations(value: object) -> bool:
-    return isinstance(value, tuple) and all(operation in OPERATIONS for operation in value)
-
-
-_FUNCTION = "a function that takes the model"
-
-#: The requirement of each attribute: as a test, and in words.
-_REQUIREMENTS: dict[str, tuple[Callable[[object], bool], str]] = {
-    "title": (lambda value: isinstance(value, str) and bool(re.fullmatch(r"\S.*", value)), "a line of text"),
-    "files": (callable, _FUNCTION),
-    "filters": (lambda value: isinstance(value, Mapping), "a mapping of functions by name"),
-    "runtime": (callable, "a function that takes the files and the model"),
-    "parts": (lambda value: isinstance(value, Mapping), "a mapping of patterns by name"),
-    "identifiers": (callable, _FUNCTION),
-    "grammar": (_optional(Grammar), "a Grammar"),
-    "formatter": (_optional(Formatter), "a Formatter, such as mipgen.emit.formatting.RUFF"),
-    "rename": (lambda value: value is None or callable(value), "a function such as mipgen.emit.package.in_source"),
-    "slow": (lambda value: isinstance(value, bool), "True or False"),
-    "beside": (_text, "text: the name of another target"),
-    "conformance": (_operations, f"a tuple of {', '.join(map(repr, OPERATIONS))}"),
-    "needs": (_text, "text: the tools of the driver, in a few words"),
-    "program": (_text, "text: the name of a program that runs or builds the driver"),
-}

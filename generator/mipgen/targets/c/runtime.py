@@ -5,12 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 from mipgen.base import resources
-
-if TYPE_CHECKING:
-    from importlib.resources.abc import Traversable
 
 #: Headers and sources that are generated for every specification.
 _GENERATED = (
@@ -73,7 +70,7 @@ def _declared(text: str) -> Iterator[str]:
             yield words[-1]
 
 
-def _runtime(end: str) -> dict[str, Traversable]:
+def _runtime(end: str) -> dict[str, Path]:
     """Returns the files of the runtime whose names end like this, by path."""
     every = resources.files_in(resources.root() / "runtime/c")
     return {path: file for path, file in every if path.endswith(end)}
