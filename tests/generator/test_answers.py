@@ -23,10 +23,6 @@ def test_silence_by_parameters_and_by_settings() -> None:
     assert [(c.command, c.parameter, c.value) for c in formats.silent_when] == [(None, "suppress_ack", 1)]
     assert not formats.silenced_by and not default.silent_when  # a client knows the parameters, not the settings
     assert [(c.command, c.parameter, c.value) for c in default.silenced_by] == [("tools.settings", "mode", 1)]
-    assert said(model("invented"), "tools.formats", "silent") == ["Not acknowledged if <suppress_ack> is true."]
-    assert said(model("invented"), "3d.default", "silent") == [
-        "Not acknowledged if <mode> of <tools.settings> is <fast>."
-    ]
 
 
 def test_echo_control() -> None:
