@@ -54,6 +54,11 @@ class Escape:
         return name + self.suffix if name in self.keywords else name
 
 
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern, re.ASCII)
+
+
 @dataclass(frozen=True, slots=True)
 class Grammar:
     """The identifiers that a language accepts.
@@ -69,7 +74,7 @@ class Grammar:
 
     def fault(self, name: str) -> str:
         """Explains why a name is not allowed; empty if it is."""
-        if not re.fullmatch(self.pattern, name, re.ASCII):
+        if not _compiled(self.pattern).fullmatch(name):
             return "is not an identifier"
         return "is a keyword" if name in self.keywords else ""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -10,8 +9,6 @@ from typing import TypeAlias
 
 #: So many items without brackets are elements of an array, several of which are on a line.
 _ARRAY = 13
-#: Whitespace other than single spaces between words.
-_UNEVEN = re.compile(r"[\t\n\v\f\r]|^ |  | $")
 
 
 def wrapped(text: str, width: int, hang: str = "") -> list[str]:
@@ -22,7 +19,7 @@ def wrapped(text: str, width: int, hang: str = "") -> list[str]:
     >>> wrapped("one  two", 5), wrapped("eleven a", 5, " "), wrapped("a eleven", 5), wrapped(" a b ", 3)
     (['one', 'two'], ['eleven', ' a'], ['a', 'eleven'], [' a', 'b'])
     """
-    if _UNEVEN.search(text) or not text:  # rare, and slow
+    if " ".join(text.split()) != text or not text:  # rare, and slow
         return textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
     lines: list[str] = []
     line = text

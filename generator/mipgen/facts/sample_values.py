@@ -135,8 +135,8 @@ class SampleValues:
 
     def packet(self, f: m.Field, call: m.Call | None = None) -> bytes:
         """Builds a packet with only this field; a field of all data sets is sent in the first of them."""
-        sets = [s.number for s in self.model.sets if s.number in f.sets]
-        number = sets[0] if f.everywhere and sets else f.set
+        sets = [s.number for s in self.model.sets if s.number in f.sets] if f.everywhere else []
+        number = sets[0] if sets else f.set
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
 
     @cached_property

@@ -57,7 +57,7 @@ def say(text: Iterable[str | Ref], ref: Callable[[Ref], str], words: Callable[[s
     >>> say(("Default: ", Ref(m.EnumValue("off", 0, ""), "off"), "."), lambda r: f"`{r.words}`")
     'Default: `off`.'
     """
-    return "".join(words(part) if isinstance(part, str) else ref(part) for part in text)
+    return "".join([words(part) if isinstance(part, str) else ref(part) for part in text])
 
 
 def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
@@ -80,7 +80,7 @@ def prose(text: str, model: m.Model) -> Text:
             return field_ref(f)
         return None if t is None or isinstance(t, m.Vector) else Ref(t, t.name)
 
-    return _referring(text, _CODE, named)
+    return _referring(text, _CODE, named) if "`" in text else (text,)
 
 
 def quotation(text: str, model: m.Model) -> Text:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from mipgen import model as m
 
@@ -16,7 +15,7 @@ def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tup
     it."""
     groups: list[list[m.Variant]] = []
     for v in p.variants:
-        same = next((g for g in groups if v.by_device and replace(g[0], key=v.key) == v), None)
+        same = next((g for g in groups if v.by_device and g[0].alike(v)), None)
         if same is None:
             groups.append([v])
         else:

@@ -76,6 +76,8 @@ def readings(parameters: Iterable[m.Parameter], record: m.Record) -> tuple[Readi
     own = [v for p in parameters for v in p.variants if v.by_device and v.valid is not None and not v.member]
     stated = [*(p.valid for p in parameters), *(v.valid or () for v in own)]
     paths = [path for valid in stated for path in valid]
+    if not paths:
+        return ()
     holders = [q for q in record.parameters if q.name in {path.partition(".")[0] for path in paths}]
     devices = dict.fromkeys((*(v.key for v in own), *(v.key for q in holders for v in q.readings if v.by_device)))
     usual, grouped = _reading(parameters, record, None), dict[Reading, list[str]]()

@@ -37,7 +37,7 @@ SHARED_DESCRIPTORS = range(0xD0, 0x100)
 MAX_FIELD_DATA = 253
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Call:
     """One form of a field: with one of its functions, or the only form if there is no selector."""
 
@@ -45,17 +45,17 @@ class Call:
     required: tuple[Parameter, ...]  # must be present, in wire order; the selector is not counted
     optional: tuple[Parameter, ...]  # may follow these: no function requires them
 
-    @property
+    @cached_property
     def passed(self) -> tuple[Parameter, ...]:
         """The parameters without constants and reserved values, for a caller who provides counters and tags."""
         return tuple(p for p in self.required if p.constant is None and p.reserved is None)
 
-    @property
+    @cached_property
     def values(self) -> tuple[Parameter, ...]:
         """The same without counters, for languages whose arrays know their length."""
         return tuple(p for p in self.passed if p.counts is None)
 
-    @property
+    @cached_property
     def unions(self) -> dict[str, Parameter]:
         """Tag -> the union whose alternative it selects. Languages whose unions know their alternative derive it."""
         return {p.tag: p for p in self.required if p.tag}
@@ -155,14 +155,14 @@ class Field:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """The field's full name, and its name in each of its sets."""
-        return tuple(dict.fromkeys((self.full_name, *(f"{o.set_name}.{self.name}" for o in self.occurrences))))
+        return tuple(dict.fromkeys((self.full_name, *self._names_in.values())))
 
     @property
     def owner(self) -> str:
         """The field's family, which defines it, as for a type."""
         return self.family
 
-    @property
+    @cached_property
     def sets(self) -> Sequence[int]:
         """The descriptor sets in which the field occurs."""
         return self.everywhere or tuple(o.set for o in self.occurrences)
@@ -174,8 +174,11 @@ class Field:
 
     def name_in(self, number: int) -> str:
         """Returns the field's full name in a set: "gnss_2.dop". A field that occurs everywhere has one name."""
-        occurrence = next((o for o in self.occurrences if o.set == number), None)
-        return f"{occurrence.set_name}.{self.name}" if occurrence else self.full_name
+        return self._names_in.get(number, self.full_name)
+
+    @cached_property
+    def _names_in(self) -> dict[int, str]:
+        return {o.set: f"{o.set_name}.{self.name}" for o in self.occurrences}
 
     @property
     def selector(self) -> bool:
@@ -228,7 +231,7 @@ class Field:
         """The parameters that may be absent."""
         return tuple(optional_groups(self.parameters[len(self.always) :], 0 if self.selector else len(self.always)))
 
-    @property
+    @cached_property
     def signature(self) -> tuple[tuple[int, bytes], ...]:
         """The constants at known offsets in the data, which distinguish the layouts of a descriptor. Layouts with the
         same constants are distinguished by the size of the data."""

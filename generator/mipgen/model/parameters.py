@@ -84,6 +84,11 @@ class Variant:
     def by_device(self) -> bool:
         return self.by == DEVICE
 
+    def alike(self, other: Variant) -> bool:
+        """True if they differ only in the device or the value."""
+        pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self) if f.name != "key")
+        return all(a is b or a == b for a, b in pairs)
+
 
 @dataclass(frozen=True, eq=False)  # comparing all of it would take long; see `alike`
 class Parameter:

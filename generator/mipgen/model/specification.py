@@ -156,12 +156,12 @@ class Model:
         """Returns the devices with this answer to whether they support a field, in one set or in any; a device supports
         a response if it sends it. If the answers differ, the strongest counts."""
         if (f.full_name, number) not in self._answers:
-            self._answers[f.full_name, number] = self._strongest(f, number)
-        answers = self._answers[f.full_name, number]
-        return tuple(d for d in self.devices if answers.get(d.id) == answer)
+            answers = self._strongest(f, number)
+            self._answers[f.full_name, number] = _grouped((answers[d.id], d) for d in self.devices if d.id in answers)
+        return self._answers[f.full_name, number].get(answer, ())
 
     @cached_property
-    def _answers(self) -> dict[tuple[str, int | None], dict[str, Answer]]:
+    def _answers(self) -> dict[tuple[str, int | None], dict[Answer, tuple[Device, ...]]]:
         return {}
 
     def _strongest(self, f: Field, number: int | None) -> dict[str, Answer]:
@@ -277,7 +277,7 @@ def _name(thing: Field | Set) -> str:
 
 
 def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, tuple[Item, ...]]:
-    grouped: dict[Key, tuple[Item, ...]] = {}
+    grouped: dict[Key, list[Item]] = {}
     for key, item in pairs:
-        grouped[key] = (*grouped.get(key, ()), item)
-    return grouped
+        grouped.setdefault(key, []).append(item)
+    return {key: tuple(items) for key, items in grouped.items()}

@@ -25,6 +25,9 @@ class Description:
     parameters: list[str] | None  # of an object that has them
 
 
+_QUOTED = json.JSONEncoder(ensure_ascii=False).encode
+
+
 class Source(str):
     """A value as Python source."""
 
@@ -39,7 +42,7 @@ def quoted(value: object) -> str:
         case Source():
             return value
         case str():
-            return json.dumps(value, ensure_ascii=False)
+            return _QUOTED(value)
         case tuple():
             return f"({', '.join(map(quoted, value))}{',' if len(value) == 1 else ''})"
         case dict():
