@@ -26,6 +26,7 @@ from mipgen import model as m
 from mipgen.base import cache as kept
 from mipgen.base.resources import MANIFEST
 from mipgen.emit import discovery, stamp
+from mipgen.emit.target import OPERATIONS
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 
@@ -47,6 +48,7 @@ OFFERS: dict[str, tuple[str, ...]] = {
 #: What has a driver and is not a target: it is part of the output of another one.
 WITHIN = {"cpp": "c"}
 OFFERS["cpp"] = ("parse", "decode", "encode")
+assert {x for offered in OFFERS.values() for x in offered} <= {*OPERATIONS}, f"a driver offers {', '.join(OPERATIONS)}"
 
 #: Specification -> where it is and where its output is: the committed one, or what `generate_invented` has made.
 SPECS = {

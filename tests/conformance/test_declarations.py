@@ -9,9 +9,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from mipgen import cli
 from mipgen.emit.target import OPERATIONS
-from support import OFFERS, ROOT, SOURCES, SPECS, WITHIN, build_script
+from support import OFFERS, ROOT, SOURCES, WITHIN, build_script
 
 #: A target whose driver finds packets, and nothing else.
 TARGET = """
@@ -92,26 +91,3 @@ def test_the_suite_asks_a_target_of_others_what_it_declares(tmp_path: Path) -> N
     assert re.findall(r"^FAILED .*\[(\w+)", said, re.M) == ["mine_x"] * 2, said
     for what in ("punched cards", "no-such-program"):
         assert re.search(f"left out, .*: .*{what}", said), said
-
-
-@pytest.mark.parametrize(
-    ("declared", "error"),
-    [
-        (
-            'conformance=("decode", "guess")',
-            "conformance must be a tuple of 'parse', 'decode', 'encode', 'client', 'live'",
-        ),
-        ('conformance="decode"', "conformance must be a tuple of"),
-        ("needs=['tshark']", "needs must be text"),
-        ("program=['node']", "program must be text"),
-    ],
-)
-def test_a_wrong_declaration_is_named(
-    declared: str, error: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    folder, out = mine(tmp_path / "targets", declared=declared), tmp_path / "out"
-    options = ["--spec", str(SPECS["invented"][0]), "--target", "mine", "--target-path", str(folder), "--out", str(out)]
-    assert cli.main(["generate", *options]) == 1 and not out.exists()
-    said = capsys.readouterr().err
-    assert said.startswith(f"{folder / 'mine/target.py'}:9: error: {error}"), said
-    assert len(said.splitlines()) == 1
