@@ -71,7 +71,7 @@ def test_by_type(manual: Manual) -> None:
     types = {anchor(t): t for t in of.all_types}
     assert sorted(ANCHORED.findall(row["Type"])[0] for row in found) == sorted(types)
     users: dict[str, set[str]] = {name: set() for name in types}
-    records = [*manual.fields, *(t for t in of.all_types if isinstance(t, m.Struct))]
+    records = [*manual.fields, *m.structs(of.all_types)]
     for record in records:
         for t in used(record.parameters):
             users.setdefault(anchor(t), set()).add(anchor(record))

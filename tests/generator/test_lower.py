@@ -13,7 +13,6 @@ from small_specs import field
 from support import model, some
 
 INVENTED = model("invented")
-RECORDS: list[m.Field | m.Struct] = [*INVENTED.fields, *(t for t in INVENTED.all_types if isinstance(t, m.Struct))]
 
 
 def invented(name: str) -> m.Field:
@@ -104,9 +103,6 @@ def test_what_varies_or_is_checked_has_no_runs(parameters: str) -> None:
     assert runs.runs(field(parameters)) == []
 
 
-# --------------------------------------------------------------------------- presence
-
-
 # --------------------------------------------------------------------------- memory
 
 
@@ -121,7 +117,7 @@ def test_memory() -> None:
 
 
 def test_the_widest_gaps_are_never_less() -> None:
-    for record in RECORDS:
+    for record in INVENTED.records:
         usual, most = memory.record_memory(record), memory.record_memory(record, memory.widest)
         assert usual.size <= most.size and usual.last <= most.last
     assert memory.largest(INVENTED) % memory.MAX_ALIGNMENT == 0

@@ -200,7 +200,6 @@ class Classes:
         modules = [("types", model.types), *((x.name, (*x.types, *x.fields)) for x in model.families)]
         for scope, things in modules:
             for t in things:
-                place = getattr(t, "position", None)
-                yield Identifier(f"module {scope}", self.name(t), f"{scope}.{t.name}", place)
+                yield Identifier(f"module {scope}", self.name(t), f"{scope}.{t.name}", t.position)
                 for name, words, position in attributes(t):
-                    yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
+                    yield Identifier(f"class {scope}.{t.name}", name, words, position or t.position)

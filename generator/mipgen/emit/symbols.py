@@ -26,16 +26,10 @@ def types_and_fields(model: m.Model) -> Iterator[m.Type | m.Field]:
 
 # --------------------------------------------------------------------------- words that programs need
 
-Record = m.Field | m.Struct
-
-
-def records(model: m.Model) -> list[Record]:
-    return [*model.fields, *(t for t in model.all_types if isinstance(t, m.Struct))]
-
 
 def parameter_names(model: m.Model) -> list[str]:
     """Returns the names of all parameters, including those in unions."""
-    every = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
+    every = (q for r in model.records for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
     return sorted({q.name for q in every})
 
 
@@ -46,7 +40,7 @@ def constant_names(model: m.Model) -> list[str]:
 
 def tag_names(model: m.Model) -> list[str]:
     """Returns the names of the values that select an alternative of a union."""
-    return sorted({c.tag.name for r in records(model) for p in r.parameters for c in p.cases})
+    return sorted({c.tag.name for r in model.records for p in r.parameters for c in p.cases})
 
 
 def named_parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:

@@ -151,8 +151,7 @@ class _Names:
     def words(self) -> set[str]:
         """Returns the names that need no set: parameters, values, bits, sets, families, types, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
-        records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
-        records += m.structs(types)
+        records = (*self.model.records, protocol.acknowledge)
         names = {q.name for r in records for p in r.parameters for q in (p, *p.alternatives)}
         names |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
         names |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}

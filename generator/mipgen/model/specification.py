@@ -9,11 +9,11 @@ from typing import Any, TypeVar
 
 from .devices import SUPPORTED, Answer, Device, NamedDevice, Support
 from .evidence import Erratum, Example
-from .fields import MAX_FIELD_DATA, RESPONSE, Family, Field, Reply, Set
+from .fields import MAX_FIELD_DATA, RESPONSE, Family, Field, Record, Reply, Set
 from .guides import Guide
 from .protocol import Protocol
 from .simulation import Simulation
-from .types import Bitfield, Bits, Function, Type
+from .types import Bitfield, Bits, Function, Type, structs
 
 Key = TypeVar("Key")
 Item = TypeVar("Item")
@@ -59,6 +59,11 @@ class Model:
     def all_types(self) -> tuple[Type, ...]:
         """The types of spec/types, then those of the families."""
         return (*self.types, *(t for x in self.families for t in x.types))
+
+    @cached_property
+    def records(self) -> tuple[Record, ...]:
+        """Everything with parameters: fields, without the acknowledge field, and structures."""
+        return (*self.fields, *structs(self.all_types))
 
     def set(self, number: int) -> Set | None:
         return self._sets.get(number)

@@ -41,8 +41,6 @@ ANSWERS = {
     "descriptors": "an array of u16, `descriptors`",
 }
 
-#: The units of the parameters of a timestamp.
-
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
     for check in (
@@ -77,13 +75,11 @@ def check_any_field(model: m.Model, problems: Problems) -> None:
 
 def fields_of(model: m.Model, problems: Problems) -> None:
     """Checks `fields_of`, the set to which field descriptors belong: a parameter beside them, or the name of a set."""
-    records: list[m.Field | m.Struct] = [*model.fields, *m.structs(model.all_types)]
-    for record in records:
-        sets = {p.name for p in record.parameters if p.shown == "set"}
-        names = {s.name for s in model.sets}
+    for record in model.records:
+        choices = {s.name for s in model.sets} | {p.name for p in record.parameters if p.shown == "set"}
         for p in record.parameters:
-            if p.fields_of and p.fields_of not in sets | names:
-                near = nearest(p.fields_of, sorted(sets | names))
+            if p.fields_of and p.fields_of not in choices:
+                near = nearest(p.fields_of, choices)
                 message = f"'{p.fields_of}' is neither the name of a set nor a parameter with shown: set{near}"
                 problems.add(p.position, message)
 
@@ -167,7 +163,7 @@ def check_names(model: m.Model, problems: Problems) -> None:
     for s in model.families:
         fields = [(f.name, f.position) for f in s.fields]
         others = [(x.name, x.position) for x in s.named] + [(name, f.position) for f in s.fields for name in f.also]
-        for entries in ([(t.name, getattr(t, "position", s.position)) for t in s.types] + fields, fields + others):
+        for entries in ([(t.name, t.position) for t in s.types] + fields, fields + others):
             used: set[str] = set()
             for name, place in entries:
                 if name in used:
@@ -301,8 +297,8 @@ def _inside(f: m.Field, path: str) -> m.Parameter | None:
 
 def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
     """Yields every name that an author has chosen."""
-    for t in _all_types(model):
-        yield t.name, getattr(t, "position", None)
+    for t in model.all_types:
+        yield t.name, t.position
         match t:
             case m.Enum():
                 yield from ((v.name, v.position) for v in t.values)
@@ -326,12 +322,8 @@ def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Posi
 # --------------------------------------------------------------------------- types
 
 
-def _all_types(model: m.Model) -> Iterator[m.Type]:
-    yield from model.all_types
-
-
 def enumerations(model: m.Model, problems: Problems) -> None:
-    for t in _all_types(model):
+    for t in model.all_types:
         if not isinstance(t, m.Enum):
             continue
         seen: dict[int, str] = {}
@@ -344,7 +336,7 @@ def enumerations(model: m.Model, problems: Problems) -> None:
 
 
 def bitfields(model: m.Model, problems: Problems) -> None:
-    for t in _all_types(model):
+    for t in model.all_types:
         if not isinstance(t, m.Bitfield):
             continue
         used: list[m.Bits] = []
@@ -385,12 +377,8 @@ def check_replies(model: m.Model, problems: Problems) -> None:
 
 def _parameters(model: m.Model) -> Iterator[m.Parameter]:
     """Yields the parameters of all fields and structures, except reserved ones."""
-    for parameters in (
-        model.protocol.acknowledge.parameters,
-        *(f.parameters for f in model.fields),
-        *(t.parameters for t in m.structs(_all_types(model))),
-    ):
-        yield from (p for p in parameters if p.reserved is None)
+    for record in (model.protocol.acknowledge, *model.records):
+        yield from (p for p in record.parameters if p.reserved is None)
 
 
 def descriptions(model: m.Model, problems: Problems) -> None:
@@ -416,9 +404,9 @@ def check_units(model: m.Model, problems: Problems) -> None:
 
 def states(model: m.Model, problems: Problems) -> None:
     """Requires beside each bitfield with states a parameter that has them."""
-    for record in (*(f.parameters for f in model.fields), *(t.parameters for t in m.structs(_all_types(model)))):
-        named = {p.name: {t.full_name for t in _types(p)} for p in record}
-        for t in (t for p in record for t in _types(p) if isinstance(t, m.Bitfield)):
+    for record in model.records:
+        named = {p.name: {t.full_name for t in _types(p)} for p in record.parameters}
+        for t in (t for p in record.parameters for t in _types(p) if isinstance(t, m.Bitfield)):
             for b in t.bits:
                 if b.when and b.when.type not in named.get(b.when.parameter, ()):
                     wanted = f"'{t.name}' needs a parameter '{b.when.parameter}' of type '{b.when.type}' beside it"

@@ -174,7 +174,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for name in m.SCALARS:
         yield Identifier("types", name, f"scalar {name}", None)
     for t in types(model):
-        yield Identifier("types", type_name(t), f"type {t.name}", getattr(t, "position", None))
+        yield Identifier("types", type_name(t), f"type {t.name}", t.position)
 
 
 # --------------------------------------------------------------------------- values

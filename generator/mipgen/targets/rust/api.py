@@ -56,7 +56,7 @@ def writing(model: m.Model) -> dict[str, Any]:
 def _unions(model: m.Model) -> dict[str, str]:
     """Returns the union of each parameter; unions with the same alternatives in one module share a type."""
     crate, unions = model.derived(Crate), {}
-    for r in words.records(model):
+    for r in model.records:
         for p in r.parameters:
             if p.union:
                 where = names.home(r)
