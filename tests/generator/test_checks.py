@@ -12,31 +12,6 @@ from support import model
 INVENTED = model("invented")
 
 
-@pytest.mark.parametrize(
-    ("parameters", "wire", "scalars"),
-    [
-        ("[]", "2", "2"),
-        ("[{name: a, type: u16}, {name: b, type: mode}, {name: c, type: flags}]", "7", "7"),
-        ("[{name: a, type: vector3f}]", "14", "2"),
-        ("[{name: a, type: vector3f, count: 2}]", "26", "2"),
-        ("[{name: a, type: point}]", "6", "2"),
-        ("[{name: a, type: point, count: 3}]", "14", "2"),
-        ("[{name: a, type: u32, count: 2}, {name: b, type: mode, count: 3}]", "13", "13"),
-        ("[{name: a, type: char, count: 16}, {name: b, type: health}]", "22", "22"),
-        ("[{name: a, type: u8, const: 5}, {name: b, type: u8, count: 2, reserved: 0}]", "5", "5"),
-        ("[{name: n, type: u8}, {name: a, type: u16, count: n}]", "3 + 2*n", "3 + 2*n"),
-        ("[{name: n, type: u8}, {name: a, type: point, count: n}]", "3 + 4*n", "3 + 4*n"),
-        ("[{name: n, type: u8}, {name: a, type: u8, count: n}, {name: z, type: u8}]", "4 + n", "4 + n"),
-        ("[{name: a, type: char, count: rest}]", "2 + rest", "2 + rest"),
-        ("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]", "3", "3"),
-        ("[{name: a, type: u8}, {name: b, type: u8, optional: true}]", "4", "4"),
-    ],
-)
-def test_computed_length(parameters: str, wire: str, scalars: str) -> None:
-    f = field(parameters)
-    assert (computed_length(f, "wire"), computed_length(f, "scalars")) == (wire, scalars)
-
-
 def test_the_selector_counts() -> None:
     f = field("[{name: a, type: u16, for: W}]", functions="W")
     assert computed_length(f, "wire") == "5"

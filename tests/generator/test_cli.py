@@ -99,26 +99,6 @@ def test_a_specification_that_is_a_whole_project(tmp_path: Path) -> None:
     assert (tmp_path / "generated/markdown/mkdocs.yml").is_file()
 
 
-def test_files_of_the_user_are_kept(tmp_path: Path) -> None:
-    """Nothing at all is written if one file of any target is in the way."""
-    for name in ("json/README.md", "kaitai/mip.ksy", "kaitai/mine.txt"):
-        (tmp_path / "mine" / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / "mine" / name).write_text("mine\n")
-    before = tree(tmp_path)
-    options = ("--spec", INVENTED, *TARGETS, "--out", "mine")
-    done = mipgen("generate", *options, cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == (
-        "mine: error: mipgen would replace these files, but no .manifest lists them as its own; "
-        "move or delete them, or choose another --out:\n  mine/json/README.md\n  mine/kaitai/mip.ksy\n"
-    )
-    assert tree(tmp_path) == before
-    for name in ("json/README.md", "kaitai/mip.ksy"):
-        (tmp_path / "mine" / name).unlink()
-    assert mipgen("generate", *options, cwd=tmp_path).returncode == 0
-    assert (tmp_path / "mine/kaitai/mine.txt").read_text() == "mine\n"
-
-
 def test_a_lost_manifest_is_written_again(tmp_path: Path) -> None:
     """If the files there are those that would be written; one that differs may be the user's."""
     out = tmp_path / "out"
@@ -300,13 +280,6 @@ def test_an_output_that_was_changed_or_is_gone_is_written_again(work: Path, path
     file.unlink()
     assert generated(work, made=True) == few()
     assert generated(work, made=False) == few()
-
-
-def test_a_stale_file_goes(work: Path) -> None:
-    (work / "generated/json/old.h").write_text("old\n")
-    manifest = work / "generated/json/.manifest"
-    manifest.write_text(manifest.read_text() + "old.h\n")
-    assert generated(work, made=True) == few()
 
 
 def test_a_change_of_the_specification_is_seen(work: Path) -> None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from mipgen import model as m
+from mipgen.lower.extent import computed_length
 from mipgen.targets.c import names as c
 from small_specs import field, load
 from support import model, some
@@ -22,26 +23,31 @@ def kinds(f: m.Field) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("parameters", "least", "most"),
+    ("parameters", "least", "most", "wire", "scalars"),
     [
-        ("[]", 0, 0),
-        ("[{name: a, type: u8}, {name: b, type: double}]", 9, 9),
-        ("[{name: a, type: vector3f}]", 12, 12),
-        ("[{name: a, type: vector3f, count: 2}]", 24, 24),
-        ("[{name: a, type: mode, count: 3}, {name: b, type: flags}, {name: c, type: health}]", 9, 9),
-        ("[{name: a, type: point, count: 2}]", 8, 8),
-        ("[{name: a, type: char, count: 16}]", 16, 16),
-        ("[{name: a, type: u16, count: rest}]", 0, 252),
-        ("[{name: a, type: char, count: rest}]", 0, 253),
-        ("[{name: n, type: u8}, {name: a, type: u32, count: n}]", 1, 253),
-        ("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]", 1, 5),
-        ("[{name: a, type: u16, const: 5}, {name: b, type: u8, count: 3, reserved: 0}]", 5, 5),
-        ("[{name: a, type: u8}, {name: b, type: u16, optional: true}]", 1, 3),
+        ("[]", 0, 0, "2", "2"),
+        ("[{name: a, type: u8}, {name: b, type: double}]", 9, 9, "11", "11"),
+        ("[{name: a, type: vector3f}]", 12, 12, "14", "2"),
+        ("[{name: a, type: vector3f, count: 2}]", 24, 24, "26", "2"),
+        ("[{name: a, type: u16, count: rest}]", 0, 252, "2 + 2*rest", "2 + 2*rest"),
+        ("[{name: a, type: char, count: rest}]", 0, 253, "2 + rest", "2 + rest"),
+        ("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]", 1, 5, "3", "3"),
+        ("[{name: a, type: u16}, {name: b, type: mode}, {name: c, type: flags}]", 5, 5, "7", "7"),
+        ("[{name: a, type: point, count: 3}]", 12, 12, "14", "2"),
+        ("[{name: a, type: u32, count: 2}, {name: b, type: mode, count: 3}]", 11, 11, "13", "13"),
+        ("[{name: a, type: char, count: 16}, {name: b, type: health}]", 20, 20, "22", "22"),
+        ("[{name: a, type: u8, const: 5}, {name: b, type: u8, count: 2, reserved: 0}]", 3, 3, "5", "5"),
+        ("[{name: n, type: u8}, {name: a, type: u16, count: n}]", 1, 253, "3 + 2*n", "3 + 2*n"),
+        ("[{name: n, type: u8}, {name: a, type: point, count: n}]", 1, 253, "3 + 4*n", "3 + 4*n"),
+        ("[{name: n, type: u8}, {name: a, type: u8, count: n}, {name: z, type: u8}]", 2, 253, "4 + n", "4 + n"),
+        ("[{name: a, type: u8}, {name: b, type: u8, optional: true}]", 1, 2, "4", "4"),
     ],
 )
-def test_sizes(parameters: str, least: int, most: int) -> None:
+def test_sizes(parameters: str, least: int, most: int, wire: str, scalars: str) -> None:
+    """Of the data; and of the whole field, as manuals print it."""
     f = field(parameters)
     assert (f.min_size, f.max_size) == (least, most)
+    assert (computed_length(f, "wire"), computed_length(f, "scalars")) == (wire, scalars)
 
 
 @pytest.mark.parametrize(

@@ -207,8 +207,11 @@ def test_the_remedy_is_that_of_each_file(tmp_path: Path, capsys: pytest.CaptureF
     )
     (out / "json/yours.txt").write_text("yours")
     (out / "json/LICENSE").write_text("changed")
+    (out / "json/README.md").unlink()
     assert cli.main(options) == 1
-    assert capsys.readouterr().err.splitlines()[3:] == [
+    assert capsys.readouterr().err.splitlines() == [
+        *(f"{out}/json/{name}: error: {what}" for name, what in (("LICENSE", "changed"), ("README.md", "missing"))),
+        *(f"{out}/json/{name}: error: untracked" for name in ("mine.txt", "yours.txt")),
         "mipgen: 2 files that mipgen did not write; move or delete them",
-        f"mipgen: 1 file to update; run: mipgen generate --spec {INVENTED} --out {out} --target json",
+        f"mipgen: 2 files to update; run: mipgen generate --spec {INVENTED} --out {out} --target json",
     ]
