@@ -11,8 +11,7 @@ from bad_spec_files import BASE
 from mipgen.model import SCALARS
 from mipgen.read import nodes, spelling
 from mipgen.read.nodes import Node
-from mipgen.read.position import Position
-from mipgen.read.problems import MANY, Problems, SpecError, nearest
+from mipgen.read.problems import MANY, Position, Problems, SpecError, nearest
 from mipgen.resolve.load import load_model
 from support import ROOT, model
 

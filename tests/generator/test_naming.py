@@ -10,8 +10,7 @@ from collections.abc import Callable
 import mipgen
 import pytest
 from mipgen.emit.naming import Escape, Grammar, Identifier, collisions, judge, pascal, upper
-from mipgen.read.position import Position
-from mipgen.read.problems import Problems
+from mipgen.read.problems import Position, Problems
 from mipgen.targets.javascript import names as javascript
 from mipgen.targets.python import names as python
 

@@ -21,7 +21,7 @@ from mipgen.model import SCALARS
 from mipgen.read import loader
 from mipgen.read.loader import BESIDE, LAYOUT, PARTS, SEVERAL, WITNESSES
 from mipgen.read.nodes import Node
-from mipgen.read.position import Position
+from mipgen.read.problems import Position
 from mipgen.read.schemas import _compiled as compiled
 from support import later, model
 

@@ -17,8 +17,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.read import loader
-from mipgen.read.position import Position
-from mipgen.read.problems import Problems
+from mipgen.read.problems import Position, Problems
 
 from . import devices, rules
 from .leaves import Leaf, Reader, of_field

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from mipgen import model as m
-from mipgen.read.position import Position
-from mipgen.read.problems import Problems
+from mipgen.read.problems import Position, Problems
 
 
 def upper(words: str) -> str:

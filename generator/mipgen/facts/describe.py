@@ -15,8 +15,22 @@ from .devices import device, evidence, firmware, length_facts, summary, why
 from .fields import changed, condition, conditions
 from .measures import default_text, limits_text
 from .parameters import bits, bits_place, case, type_facts, value
-from .remarks import sources, uncertain
-from .texts import Fact, Ref, Text, Thing, fact, joined, measured, number, prose, quotation, say, topics
+from .texts import (
+    Fact,
+    Ref,
+    Text,
+    Thing,
+    fact,
+    joined,
+    measured,
+    number,
+    prose,
+    quotation,
+    say,
+    sources,
+    topics,
+    uncertain,
+)
 from .variants import usual_text, variant_text, variants
 
 

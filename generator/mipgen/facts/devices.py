@@ -5,8 +5,7 @@ from __future__ import annotations
 from mipgen import model as m
 from mipgen.lower.extent import computed_length
 
-from .remarks import uncertain
-from .texts import Fact, Text, device_ref, fact, joined, prose, say, thing_ref
+from .texts import Fact, Text, device_ref, fact, joined, prose, say, thing_ref, uncertain
 
 #: Kind of evidence -> its statement; if it is about other devices, their names follow.
 _KINDS = {

@@ -8,7 +8,6 @@ from itertools import groupby
 from mipgen import model as m
 
 from .devices import firmware
-from .remarks import remarks
 from .texts import (
     Fact,
     Ref,
@@ -22,6 +21,7 @@ from .texts import (
     joined,
     number,
     prose,
+    remarks,
     thing_ref,
 )
 

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from mipgen import model as m
 
 from .measures import measures, numeral, validity
-from .remarks import needed, remarks, uncertain
-from .texts import Fact, Ref, fact, field_ref, functions, joined
+from .texts import Fact, Ref, fact, field_ref, functions, joined, needed, remarks, uncertain
 from .variants import variants
 
 

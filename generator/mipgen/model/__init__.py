@@ -8,7 +8,7 @@ instead of a name, if there is one.
 Guides and the simulation are in their own modules.
 """
 
-from mipgen.read.position import Position
+from mipgen.read.problems import Position
 
 from .devices import (
     COUNTED,

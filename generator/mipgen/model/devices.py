@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-from mipgen.read.position import Position
+from mipgen.read.problems import Position
 
 from .fields import Field, Set
 from .parameters import Parameter, Variant

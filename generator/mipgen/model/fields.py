@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final, Literal
 
-from mipgen.read.position import Position
+from mipgen.read.problems import Position
 
 from .parameters import Group, Parameter, optional_groups
 from .types import Function, Source, Struct, Type

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from mipgen.read.position import Position
+    from mipgen.read.problems import Position
 
     from . import Device, Field, Set, Source
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from datetime import date
 
-from mipgen.read.position import Position
+from mipgen.read.problems import Position
 
 from .evidence import Manual
 from .fields import Field

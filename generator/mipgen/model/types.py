@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, Protocol
 
-from mipgen.read.position import Position
+from mipgen.read.problems import Position
 
 if TYPE_CHECKING:
     from .parameters import Group, Parameter

@@ -9,8 +9,7 @@ from mipgen.base.resources import MANIFEST
 
 from . import overlay
 from .nodes import Document, Node, read
-from .position import Position
-from .problems import Problems
+from .problems import Position, Problems
 from .schemas import check_schema
 
 #: The version of the format of a specification; another version of the schemas has another.

@@ -17,8 +17,7 @@ from typing import Any
 import yaml
 
 from . import syntax
-from .position import Position
-from .problems import Problems
+from .problems import Position, Problems
 
 MAX_DEPTH = 50
 MAX_DIGITS = 40

@@ -1,18 +1,29 @@
-"""Problems of a specification, each with its position, and remedies for unknown words."""
+"""Positions in a specification, problems there, and remedies for unknown words."""
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from mipgen.base.errors import Failure
 
 from . import spelling
-from .position import Position
 
 #: The maximum number of words in a list.
 MANY = 60
+
+
+class Position(NamedTuple):
+    """A position in a specification file; lines and columns count from 1."""
+
+    file: str
+    line: int
+    column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
 
 
 @dataclass(frozen=True, slots=True, order=True)
