@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-import shutil
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from ksy_driver import Tree, file, ksy
-from mipgen import cli
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.kaitai import expressions, view
 from mipgen.targets.kaitai.names import MODULES, member, type_name, value
-from spec_defaults import filled
 from support import SPECS, all_fields, model
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -86,35 +82,6 @@ def test_what_readers_are_told(spec: str) -> None:
             entry = values[v.value] if isinstance(values[v.value], dict) else {"id": values[v.value], "doc": ""}
             assert entry["id"] == value(v.name) and told(v.description) == entry.get("doc", "")
     assert told_of
-
-
-def generated(tmp_path: Path, text: str) -> tuple[int, Path]:
-    """A specification with one more set."""
-    spec = tmp_path / "spec"
-    shutil.copytree(SPECS["invented"][0], spec)
-    (spec / "sets/extra.yaml").write_text(filled(text), "utf-8")
-    out = tmp_path / "out"
-    return cli.main(["generate", "--spec", str(spec), "--out", str(out), "--target", "kaitai"]), out / "kaitai/mip.ksy"
-
-
-def test_names_that_only_case_would_join_collide(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, _ = generated(
-        tmp_path,
-        """
-set: 0x61
-name: extra
-title: Extra
-description: "Names that Java, C# and JavaScript write alike."
-fields:
-  - command: 0x01
-    name: field
-    title: Field
-    description: D.
-    parameters: [{name: pos_1, type: u8}, {name: pos1, type: u8}]
-""",
-    )
-    assert code == 1
-    assert "'pos1' and 'pos_1' both become pos1 in the type extra_field of the target kaitai" in capsys.readouterr().err
 
 
 def test_descriptors_of_a_set_go_before_shared_ones() -> None:
