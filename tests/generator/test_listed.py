@@ -95,23 +95,6 @@ def test_the_order_does_not_matter(tmp_path: Path, order: tuple[str, str]) -> No
     assert kinds(both(tmp_path, text, "also: [P]\n")) == {"measurements.accel": "listed"}
 
 
-@pytest.mark.parametrize(
-    ("text", "remedy"),
-    [
-        ("{kind: listed, firmware: 1.0.01, fields: {tools: [ping]}}", "'tools.ping' is listed twice; remove one"),
-        ("{kind: sister, fields: {tools: [ping]}}", "'relatives' already has 'tools.ping' (family); remove it"),
-        (
-            "{kind: refused, firmware: 1.0.01, fields: {tools: [ping]}}",
-            "'tools.ping' is listed and refused by the firmware 1.0.01; remove one",
-        ),
-    ],
-)
-def test_other_duplicates_are_mistakes(tmp_path: Path, text: str, remedy: str) -> None:
-    with pytest.raises(SpecError) as caught:
-        loaded(tmp_path, LISTED.replace("base_rates", f"  - {text}\nbase_rates"), True)
-    assert [p.line for p in caught.value.problems] == [8] and remedy in str(caught.value)
-
-
 OWN = """\
 device: model-p
 name: model_p

@@ -128,9 +128,3 @@ def rated(rate: str) -> str:
 @pytest.mark.parametrize("rate", ["1000", "0.1", "2.5", "0.8"])
 def test_a_rate_may_be_a_decimal(rate: str, tmp_path: Path) -> None:
     assert resolved(rated(rate), tmp_path).data[0].rate == float(rate)
-
-
-@pytest.mark.parametrize("rate", ["0.3", "2000", "999.9"])
-def test_a_rate_divides_the_base_rate(rate: str, tmp_path: Path) -> None:
-    with pytest.raises(SpecError, match=rf"{rate} Hz is not the base rate of 'measurements' on the Model A, 1000 Hz"):
-        resolved(rated(rate), tmp_path)

@@ -13,7 +13,6 @@ from pathlib import Path
 import pytest
 from mipgen.emit import render
 from mipgen.model import Model
-from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
 from support import SPECS, generated
 
@@ -85,8 +84,3 @@ def test_programs_find_the_key_in_the_document(tmp_path: Path) -> None:
     assert {u["symbol"]: u.get("key") for u in document["units"] if "key" in u} == {"sec": "s"}
     (timestamp,) = (f for f in document["fields"] if f["name"] == "shared.timestamp")
     assert ["sec"] in [p.get("units") for p in timestamp["parameters"]]
-
-
-def test_two_units_with_one_symbol_are_reported(tmp_path: Path) -> None:
-    with pytest.raises(SpecError, match="'m' is also the symbol of the unit 'm'; write another"):
-        respelled(tmp_path, (SECONDS[0], "  s: {title: second, symbol: m}"))
