@@ -30,11 +30,11 @@ export const ConstellationOptions = /* @__PURE__ */ codec.bitfield(codec.u16, {
 });
 
 export const ConstellationSettingsEntry = /* @__PURE__ */ codec.struct({
-    constellation_id: ConstellationId,
+    constellationId: ConstellationId,
     enable: codec.u8,
-    reserved_channels: codec.u8,
-    max_channels: codec.u8,
-    option_flags: ConstellationOptions,
+    reservedChannels: codec.u8,
+    maxChannels: codec.u8,
+    optionFlags: ConstellationOptions,
 });
 
 export const SbasOptions = /* @__PURE__ */ codec.bitfield(codec.u16, {
@@ -72,8 +72,8 @@ export const EventTriggerStatusEntry = /* @__PURE__ */ codec.struct({
 });
 
 export const EventActionStatusEntry = /* @__PURE__ */ codec.struct({
-    action_type: types.EventActionType,
-    trigger_id: codec.u8,
+    actionType: types.EventActionType,
+    triggerId: codec.u8,
 });
 
 export const ReceiverDynamics = /* @__PURE__ */ codec.enumeration(codec.u8, {
@@ -166,18 +166,18 @@ export const Gx4SystemState = /* @__PURE__ */ codec.enumeration(codec.u16, {
 });
 
 export const ImuMessageFormatResponse = /* @__PURE__ */ field.response("3dm.imu_message_format_response", 0x0c, 0x80, {
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 84),
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 84),
 });
 
 export const GnssMessageFormatResponse = /* @__PURE__ */ field.response("3dm.gnss_message_format_response", 0x0c, 0x81, {
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 84),
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 84),
 });
 
 export const FilterMessageFormatResponse = /* @__PURE__ */ field.response("3dm.filter_message_format_response", 0x0c, 0x82, {
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 84),
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 84),
 });
 
 export const GetImuBaseRateResponse = /* @__PURE__ */ field.response("3dm.get_imu_base_rate_response", 0x0c, 0x83, {
@@ -189,18 +189,18 @@ export const GetGnssBaseRateResponse = /* @__PURE__ */ field.response("3dm.get_g
 });
 
 export const DataStreamControlResponse = /* @__PURE__ */ field.response("3dm.data_stream_control_response", 0x0c, 0x85, {
-    descriptor_set: codec.u8,
+    descriptorSet: codec.u8,
     enabled: codec.bool,
 });
 
 export const ImuSignalConditioningResponse = /* @__PURE__ */ field.response("3dm.imu_signal_conditioning_response", 0x0c, 0x86, {
-    orientation_decimation: codec.u16,
-    data_conditioning_flags: DataConditioningFlags,
-    inertial_filter_width: codec.u8,
-    mag_filter_width: codec.u8,
-    up_compensation: codec.u16,
-    north_compensation: codec.u16,
-    mag_bandwidth: MagBandwidth,
+    orientationDecimation: codec.u16,
+    dataConditioningFlags: DataConditioningFlags,
+    inertialFilterWidth: codec.u8,
+    magFilterWidth: codec.u8,
+    upCompensation: codec.u16,
+    northCompensation: codec.u16,
+    magBandwidth: MagBandwidth,
     reserved: /* @__PURE__ */ codec.reserved(codec.u16, 0),
 });
 
@@ -223,7 +223,7 @@ export const GetFilterBaseRateResponse = /* @__PURE__ */ field.response("3dm.get
 });
 
 export const ImuLowPassFilterResponse = /* @__PURE__ */ field.response("3dm.imu_low_pass_filter_response", 0x0c, 0x8b, {
-    target_descriptor: codec.u8,
+    targetDescriptor: codec.u8,
     enable: codec.bool,
     manual: codec.bool,
     frequency: codec.u16,
@@ -231,310 +231,310 @@ export const ImuLowPassFilterResponse = /* @__PURE__ */ field.response("3dm.imu_
 });
 
 export const NmeaMessageFormatResponse = /* @__PURE__ */ field.response("3dm.nmea_message_format_response", 0x0c, 0x8c, {
-    count: /* @__PURE__ */ codec.counter(codec.u8, "format_entries"),
-    format_entries: /* @__PURE__ */ codec.counted("count", types.NmeaMessage, 50),
+    count: /* @__PURE__ */ codec.counter(codec.u8, "formatEntries"),
+    formatEntries: /* @__PURE__ */ codec.counted("count", types.NmeaMessage, 50),
 });
 
 export const GetBaseRateResponse = /* @__PURE__ */ field.response("3dm.get_base_rate_response", 0x0c, 0x8e, {
-    descriptor_set: codec.u8,
+    descriptorSet: codec.u8,
     rate: codec.u16,
 });
 
 export const MessageFormatResponse = /* @__PURE__ */ field.response("3dm.message_format_response", 0x0c, 0x8f, {
-    descriptor_set: codec.u8,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 83),
+    descriptorSet: codec.u8,
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 83),
 });
 
 export const DeviceStatusBasicRq1ImuResponse = /* @__PURE__ */ field.response("3dm.device_status_basic_rq1_imu_response", 0x0c, 0x90, {
-    model_number: /* @__PURE__ */ codec.constant(codec.u16, 6238),
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 1),
-    status_flags: codec.u32,
-    system_timer: codec.u64,
+    modelNumber: /* @__PURE__ */ codec.constant(codec.u16, 6238),
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 1),
+    statusFlags: codec.u32,
+    systemTimer: codec.u64,
 }, {
     fits: [15, 253, [[0, [24, 94]], [2, [1]]]],
 });
 
 export const DeviceStatusBasicResponse = /* @__PURE__ */ field.response("3dm.device_status_basic_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 1),
-    status_flags: codec.u32,
-    system_state: codec.u16,
-    system_timer: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 1),
+    statusFlags: codec.u32,
+    systemState: codec.u16,
+    systemTimer: codec.u32,
 }, {
     fits: [13, 14, [[2, [1]]]],
 });
 
 export const DeviceStatusBasicWithoutStateResponse = /* @__PURE__ */ field.response("3dm.device_status_basic_without_state_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 1),
-    status_flags: codec.u32,
-    system_timer: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 1),
+    statusFlags: codec.u32,
+    systemTimer: codec.u32,
 }, {
     fits: [0, 12, [[2, [1]]]],
 });
 
 export const DeviceStatusDiagnosticResponse = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_state: codec.u16,
-    system_timer: codec.u32,
-    imu_stream_enabled: codec.bool,
-    filter_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    filter_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
-    imu_parser_errors: codec.u32,
-    imu_message_count: codec.u32,
-    imu_last_message_time: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemState: codec.u16,
+    systemTimer: codec.u32,
+    imuStreamEnabled: codec.bool,
+    filterStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    filterDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
+    imuParserErrors: codec.u32,
+    imuMessageCount: codec.u32,
+    imuLastMessageTime: codec.u32,
 }, {
     fits: [0, 59, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticGnssResponse = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_gnss_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_state: codec.u16,
-    system_timer: codec.u32,
-    gnss_power_state: codec.u8,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    gnss_stream_enabled: codec.bool,
-    filter_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    gnss_dropped_packets: codec.u32,
-    filter_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
-    imu_parser_errors: codec.u32,
-    imu_message_count: codec.u32,
-    imu_last_message_time: codec.u32,
-    gnss_parser_errors: codec.u32,
-    gnss_message_count: codec.u32,
-    gnss_last_message_time: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemState: codec.u16,
+    systemTimer: codec.u32,
+    gnssPowerState: codec.u8,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    gnssStreamEnabled: codec.bool,
+    filterStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    gnssDroppedPackets: codec.u32,
+    filterDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
+    imuParserErrors: codec.u32,
+    imuMessageCount: codec.u32,
+    imuLastMessageTime: codec.u32,
+    gnssParserErrors: codec.u32,
+    gnssMessageCount: codec.u32,
+    gnssLastMessageTime: codec.u32,
 }, {
     fits: [77, 79, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticGq4_45Response = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_gq4_45_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_state: codec.u16,
-    system_timer: codec.u32,
-    gnss_power_state: codec.u8,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    gnss_stream_enabled: codec.bool,
-    filter_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    gnss_dropped_packets: codec.u32,
-    filter_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
-    imu_parser_errors: codec.u32,
-    imu_message_count: codec.u32,
-    imu_last_message_time: codec.u32,
-    gnss_parser_errors: codec.u32,
-    gnss_message_count: codec.u32,
-    gnss_last_message_time: codec.u32,
-    mag_init_failed: codec.bool,
-    pressure_init_failed: codec.bool,
-    receiver_init_failed: codec.bool,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemState: codec.u16,
+    systemTimer: codec.u32,
+    gnssPowerState: codec.u8,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    gnssStreamEnabled: codec.bool,
+    filterStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    gnssDroppedPackets: codec.u32,
+    filterDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
+    imuParserErrors: codec.u32,
+    imuMessageCount: codec.u32,
+    imuLastMessageTime: codec.u32,
+    gnssParserErrors: codec.u32,
+    gnssMessageCount: codec.u32,
+    gnssLastMessageTime: codec.u32,
+    magInitFailed: codec.bool,
+    pressureInitFailed: codec.bool,
+    receiverInitFailed: codec.bool,
 }, {
     fits: [80, 85, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticRq1_45Response = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_rq1_45_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_state: codec.u16,
-    system_timer: codec.u32,
-    gnss_power_state: codec.u8,
-    cold_start_on_power_on: codec.u8,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemState: codec.u16,
+    systemTimer: codec.u32,
+    gnssPowerState: codec.u8,
+    coldStartOnPowerOn: codec.u8,
     temperature: codec.float,
-    temperature_last_time: codec.u32,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    gnss_stream_enabled: codec.bool,
-    filter_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    gnss_dropped_packets: codec.u32,
-    filter_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
-    imu_parser_errors: codec.u32,
-    imu_message_count: codec.u32,
-    imu_last_message_time: codec.u32,
-    gnss_parser_errors: codec.u32,
-    gnss_message_count: codec.u32,
-    gnss_last_message_time: codec.u32,
+    temperatureLastTime: codec.u32,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    gnssStreamEnabled: codec.bool,
+    filterStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    gnssDroppedPackets: codec.u32,
+    filterDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
+    imuParserErrors: codec.u32,
+    imuMessageCount: codec.u32,
+    imuLastMessageTime: codec.u32,
+    gnssParserErrors: codec.u32,
+    gnssMessageCount: codec.u32,
+    gnssLastMessageTime: codec.u32,
 }, {
     fits: [86, 104, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticGx4Response = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_gx4_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_timer: codec.u32,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    filter_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    filter_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
-    usb_bytes_written: codec.u32,
-    usb_bytes_read: codec.u32,
-    usb_write_overruns: codec.u32,
-    usb_read_overruns: codec.u32,
-    imu_parser_errors: codec.u32,
-    imu_message_count: codec.u32,
-    imu_last_message_time: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemTimer: codec.u32,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    filterStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    filterDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
+    usbBytesWritten: codec.u32,
+    usbBytesRead: codec.u32,
+    usbWriteOverruns: codec.u32,
+    usbReadOverruns: codec.u32,
+    imuParserErrors: codec.u32,
+    imuMessageCount: codec.u32,
+    imuLastMessageTime: codec.u32,
 }, {
     fits: [73, 76, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticImuResponse = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_imu_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_timer: codec.u32,
-    has_mag: codec.bool,
-    has_pressure: codec.bool,
-    power_state: codec.u8,
-    gyro_range: codec.u16,
-    accel_range: codec.u16,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemTimer: codec.u32,
+    hasMag: codec.bool,
+    hasPressure: codec.bool,
+    powerState: codec.u8,
+    gyroRange: codec.u16,
+    accelRange: codec.u16,
     reserved: /* @__PURE__ */ codec.reserved(codec.u32, 0),
     temperature: codec.float,
-    temperature_last_time: codec.u32,
-    temperature_error: codec.u8,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
+    temperatureLastTime: codec.u32,
+    temperatureError: codec.u8,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
 }, {
     fits: [60, 60, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticGx4ImuResponse = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_gx4_imu_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_timer: codec.u32,
-    has_mag: codec.bool,
-    has_pressure: codec.bool,
-    gyro_range: codec.u16,
-    accel_range: codec.u8,
-    mag_range: codec.float,
-    pressure_range: codec.float,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemTimer: codec.u32,
+    hasMag: codec.bool,
+    hasPressure: codec.bool,
+    gyroRange: codec.u16,
+    accelRange: codec.u8,
+    magRange: codec.float,
+    pressureRange: codec.float,
     temperature: codec.float,
-    temperature_last_time: codec.u32,
-    temperature_error: codec.u8,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
+    temperatureLastTime: codec.u32,
+    temperatureError: codec.u8,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
 }, {
     fits: [62, 72, [[2, [2]]]],
 });
 
 export const DeviceStatusDiagnosticRq1ImuResponse = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_rq1_imu_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    status_flags: codec.u32,
-    system_timer: codec.u64,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    statusFlags: codec.u32,
+    systemTimer: codec.u64,
     temperature: codec.float,
-    temperature_last_time: codec.u32,
-    bad_temperature_sensor_detected: codec.bool,
-    cold_temperature_detected: codec.bool,
-    bad_voltage_detected: codec.bool,
-    pps_count: codec.u32,
-    pps_last_time: codec.u32,
-    imu_stream_enabled: codec.bool,
-    imu_dropped_packets: codec.u32,
-    comm_port_state: codec.u16,
-    comm_port_baud_rate: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
+    temperatureLastTime: codec.u32,
+    badTemperatureSensorDetected: codec.bool,
+    coldTemperatureDetected: codec.bool,
+    badVoltageDetected: codec.bool,
+    ppsCount: codec.u32,
+    ppsLastTime: codec.u32,
+    imuStreamEnabled: codec.bool,
+    imuDroppedPackets: codec.u32,
+    commPortState: codec.u16,
+    commPortBaudRate: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
 }, {
     fits: [61, 61, [[2, [2]]]],
 });
 
 export const DeviceStatusBasicGx3Response = /* @__PURE__ */ field.response("3dm.device_status_basic_gx3_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 1),
-    comm_mode: codec.u8,
-    comm_device: codec.u8,
-    settings_flags: codec.u32,
-    comm_state: codec.u16,
-    comm_baud_rate: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 1),
+    commMode: codec.u8,
+    commDevice: codec.u8,
+    settingsFlags: codec.u32,
+    commState: codec.u16,
+    commBaudRate: codec.u32,
 }, {
     fits: [15, 253, [[2, [1]]]],
 });
 
 export const DeviceStatusDiagnosticGx3Response = /* @__PURE__ */ field.response("3dm.device_status_diagnostic_gx3_response", 0x0c, 0x90, {
-    model_number: codec.u16,
-    status_selector: /* @__PURE__ */ codec.constant(codec.u8, 2),
-    comm_mode: codec.u8,
-    comm_device: codec.u8,
-    settings_flags: codec.u32,
-    comm_state: codec.u16,
-    comm_baud_rate: codec.u32,
-    comm_port_bytes_written: codec.u32,
-    comm_port_bytes_read: codec.u32,
-    comm_port_write_overruns: codec.u32,
-    comm_port_read_overruns: codec.u32,
-    usb_state: codec.u16,
-    usb_bytes_written: codec.u32,
-    usb_bytes_read: codec.u32,
-    usb_write_overruns: codec.u32,
-    usb_read_overruns: codec.u32,
-    gnss_driver_state: codec.u16,
-    gnss_port_state: codec.u16,
-    gnss_bytes_written: codec.u32,
-    gnss_bytes_read: codec.u32,
-    gnss_write_overruns: codec.u32,
-    gnss_read_overruns: codec.u32,
-    gnss_message_count: codec.u32,
-    gnss_delayed_message_count: codec.u32,
-    imu_driver_state: codec.u16,
-    imu_port_state: codec.u16,
-    imu_bytes_written: codec.u32,
-    imu_bytes_read: codec.u32,
-    imu_write_overruns: codec.u32,
-    imu_read_overruns: codec.u32,
-    imu_message_count: codec.u32,
-    imu_delayed_message_count: codec.u32,
+    modelNumber: codec.u16,
+    statusSelector: /* @__PURE__ */ codec.constant(codec.u8, 2),
+    commMode: codec.u8,
+    commDevice: codec.u8,
+    settingsFlags: codec.u32,
+    commState: codec.u16,
+    commBaudRate: codec.u32,
+    commPortBytesWritten: codec.u32,
+    commPortBytesRead: codec.u32,
+    commPortWriteOverruns: codec.u32,
+    commPortReadOverruns: codec.u32,
+    usbState: codec.u16,
+    usbBytesWritten: codec.u32,
+    usbBytesRead: codec.u32,
+    usbWriteOverruns: codec.u32,
+    usbReadOverruns: codec.u32,
+    gnssDriverState: codec.u16,
+    gnssPortState: codec.u16,
+    gnssBytesWritten: codec.u32,
+    gnssBytesRead: codec.u32,
+    gnssWriteOverruns: codec.u32,
+    gnssReadOverruns: codec.u32,
+    gnssMessageCount: codec.u32,
+    gnssDelayedMessageCount: codec.u32,
+    imuDriverState: codec.u16,
+    imuPortState: codec.u16,
+    imuBytesWritten: codec.u32,
+    imuBytesRead: codec.u32,
+    imuWriteOverruns: codec.u32,
+    imuReadOverruns: codec.u32,
+    imuMessageCount: codec.u32,
+    imuDelayedMessageCount: codec.u32,
 }, {
     fits: [105, 253, [[2, [2]]]],
 });
@@ -549,10 +549,10 @@ export const ImuTimestampResponse = /* @__PURE__ */ field.response("3dm.imu_time
 });
 
 export const ComplementaryFilterResponse = /* @__PURE__ */ field.response("3dm.complementary_filter_response", 0x0c, 0x97, {
-    pitch_roll_enable: codec.bool,
-    heading_enable: codec.bool,
-    pitch_roll_time_constant: codec.float,
-    heading_time_constant: codec.float,
+    pitchRollEnable: codec.bool,
+    headingEnable: codec.bool,
+    pitchRollTimeConstant: codec.float,
+    headingTimeConstant: codec.float,
 });
 
 export const AccelBiasResponse = /* @__PURE__ */ field.response("3dm.accel_bias_response", 0x0c, 0x9a, {
@@ -576,17 +576,17 @@ export const ConingScullingEnableResponse = /* @__PURE__ */ field.response("3dm.
 });
 
 export const ConstellationSettingsResponse = /* @__PURE__ */ field.response("3dm.constellation_settings_response", 0x0c, 0xa0, {
-    max_channels_available: codec.u16,
-    max_channels_use: codec.u16,
-    config_count: /* @__PURE__ */ codec.counter(codec.u8, "settings"),
-    settings: /* @__PURE__ */ codec.counted("config_count", ConstellationSettingsEntry, 41),
+    maxChannelsAvailable: codec.u16,
+    maxChannelsUse: codec.u16,
+    configCount: /* @__PURE__ */ codec.counter(codec.u8, "settings"),
+    settings: /* @__PURE__ */ codec.counted("configCount", ConstellationSettingsEntry, 41),
 });
 
 export const GnssSbasSettingsResponse = /* @__PURE__ */ field.response("3dm.gnss_sbas_settings_response", 0x0c, 0xa1, {
-    enable_sbas: codec.u8,
-    sbas_options: SbasOptions,
-    num_included_prns: /* @__PURE__ */ codec.counter(codec.u8, "included_prns"),
-    included_prns: /* @__PURE__ */ codec.counted("num_included_prns", codec.u16, 124),
+    enableSbas: codec.u8,
+    sbasOptions: SbasOptions,
+    numIncludedPrns: /* @__PURE__ */ codec.counter(codec.u8, "includedPrns"),
+    includedPrns: /* @__PURE__ */ codec.counted("numIncludedPrns", codec.u16, 124),
 });
 
 export const GnssAssistedFixResponse = /* @__PURE__ */ field.response("3dm.gnss_assisted_fix_response", 0x0c, 0xa2, {
@@ -596,7 +596,7 @@ export const GnssAssistedFixResponse = /* @__PURE__ */ field.response("3dm.gnss_
 
 export const GnssTimeAssistanceResponse = /* @__PURE__ */ field.response("3dm.gnss_time_assistance_response", 0x0c, 0xa3, {
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     accuracy: codec.float,
 });
 
@@ -620,9 +620,9 @@ export const SensorToVehicleTransformDcmResponse = /* @__PURE__ */ field.respons
 
 export const GetEventSupportResponse = /* @__PURE__ */ field.response("3dm.get_event_support_response", 0x0c, 0xb4, {
     query: EventSupportQuery,
-    max_instances: codec.u8,
-    num_entries: /* @__PURE__ */ codec.counter(codec.u8, "entries"),
-    entries: /* @__PURE__ */ codec.counted("num_entries", EventSupportInfo, 125),
+    maxInstances: codec.u8,
+    numEntries: /* @__PURE__ */ codec.counter(codec.u8, "entries"),
+    entries: /* @__PURE__ */ codec.counted("numEntries", EventSupportInfo, 125),
 });
 
 export const EventControlResponse = /* @__PURE__ */ field.response("3dm.event_control_response", 0x0c, 0xb5, {
@@ -657,7 +657,7 @@ export const GpioConfigResponse = /* @__PURE__ */ field.response("3dm.gpio_confi
     pin: codec.u8,
     feature: types.GpioFeature,
     behavior: codec.u8,
-    pin_mode: types.GpioPinMode,
+    pinMode: types.GpioPinMode,
 });
 
 export const GpioStateResponse = /* @__PURE__ */ field.response("3dm.gpio_state_response", 0x0c, 0xc2, {
@@ -678,48 +678,48 @@ export const SensorRangeResponse = /* @__PURE__ */ field.response("3dm.sensor_ra
 
 export const GetCalibratedSensorRangesResponse = /* @__PURE__ */ field.response("3dm.get_calibrated_sensor_ranges_response", 0x0c, 0xd3, {
     sensor: SensorRangeType,
-    num_ranges: /* @__PURE__ */ codec.counter(codec.u8, "ranges"),
-    ranges: /* @__PURE__ */ codec.counted("num_ranges", SensorRangeEntry, 50),
+    numRanges: /* @__PURE__ */ codec.counter(codec.u8, "ranges"),
+    ranges: /* @__PURE__ */ codec.counted("numRanges", SensorRangeEntry, 50),
 });
 
 export const LowPassFilterResponse = /* @__PURE__ */ field.response("3dm.low_pass_filter_response", 0x0c, 0xd4, {
-    descriptor_set: codec.u8,
-    field_descriptor: codec.u8,
+    descriptorSet: codec.u8,
+    fieldDescriptor: codec.u8,
     enable: codec.bool,
     manual: codec.bool,
     frequency: codec.float,
 });
 
 export const PollImuData = /* @__PURE__ */ field.command("3dm.poll_imu_data", 0x0c, 0x01, {
-    suppress_ack: codec.bool,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", PollEntry, 83),
+    suppressAck: codec.bool,
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", PollEntry, 83),
 }, {
-    SILENT: [[], [["suppress_ack", 1, true]]],
+    SILENT: [[], [["suppressAck", 1, true]]],
 });
 
 export const PollGnssData = /* @__PURE__ */ field.command("3dm.poll_gnss_data", 0x0c, 0x02, {
-    suppress_ack: codec.bool,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", PollEntry, 83),
+    suppressAck: codec.bool,
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", PollEntry, 83),
 }, {
-    SILENT: [[], [["suppress_ack", 1, true]]],
+    SILENT: [[], [["suppressAck", 1, true]]],
 });
 
 export const PollFilterData = /* @__PURE__ */ field.command("3dm.poll_filter_data", 0x0c, 0x03, {
-    suppress_ack: codec.bool,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", PollEntry, 83),
+    suppressAck: codec.bool,
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", PollEntry, 83),
 }, {
-    SILENT: [[], [["suppress_ack", 1, true]]],
+    SILENT: [[], [["suppressAck", 1, true]]],
 });
 
 export const PollNmeaData = /* @__PURE__ */ field.command("3dm.poll_nmea_data", 0x0c, 0x04, {
-    suppress_ack: codec.bool,
-    count: /* @__PURE__ */ codec.counter(codec.u8, "format_entries"),
-    format_entries: /* @__PURE__ */ codec.counted("count", types.NmeaMessage, 50),
+    suppressAck: codec.bool,
+    count: /* @__PURE__ */ codec.counter(codec.u8, "formatEntries"),
+    formatEntries: /* @__PURE__ */ codec.counted("count", types.NmeaMessage, 50),
 }, {
-    SILENT: [[], [["suppress_ack", 1, true]]],
+    SILENT: [[], [["suppressAck", 1, true]]],
 });
 
 export const GetImuBaseRate = /* @__PURE__ */ field.command("3dm.get_imu_base_rate", 0x0c, 0x06, {}, {
@@ -732,28 +732,28 @@ export const GetGnssBaseRate = /* @__PURE__ */ field.command("3dm.get_gnss_base_
 
 export const ImuMessageFormat = /* @__PURE__ */ field.command("3dm.imu_message_format", 0x0c, 0x08, {
     function: FunctionSelector,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 83),
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 83),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ImuMessageFormatResponse]]],
 });
 
 export const GnssMessageFormat = /* @__PURE__ */ field.command("3dm.gnss_message_format", 0x0c, 0x09, {
     function: FunctionSelector,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 83),
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 83),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GnssMessageFormatResponse]]],
 });
 
 export const FilterMessageFormat = /* @__PURE__ */ field.command("3dm.filter_message_format", 0x0c, 0x0a, {
     function: FunctionSelector,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 83),
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 83),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [FilterMessageFormatResponse]]],
 });
 
@@ -763,35 +763,35 @@ export const GetFilterBaseRate = /* @__PURE__ */ field.command("3dm.get_filter_b
 
 export const NmeaMessageFormat = /* @__PURE__ */ field.command("3dm.nmea_message_format", 0x0c, 0x0c, {
     function: FunctionSelector,
-    count: /* @__PURE__ */ codec.counter(codec.u8, "format_entries"),
-    format_entries: /* @__PURE__ */ codec.counted("count", types.NmeaMessage, 50),
+    count: /* @__PURE__ */ codec.counter(codec.u8, "formatEntries"),
+    formatEntries: /* @__PURE__ */ codec.counted("count", types.NmeaMessage, 50),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [NmeaMessageFormatResponse]]],
 });
 
 export const PollData = /* @__PURE__ */ field.command("3dm.poll_data", 0x0c, 0x0d, {
-    descriptor_set: codec.u8,
-    suppress_ack: codec.bool,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", codec.u8, 250),
+    descriptorSet: codec.u8,
+    suppressAck: codec.bool,
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", codec.u8, 250),
 }, {
-    SILENT: [[], [["suppress_ack", 1, true]]],
+    SILENT: [[], [["suppressAck", 1, true]]],
 });
 
 export const GetBaseRate = /* @__PURE__ */ field.command("3dm.get_base_rate", 0x0c, 0x0e, {
-    descriptor_set: codec.u8,
+    descriptorSet: codec.u8,
 }, {
     REPLIES: [[null, [], [GetBaseRateResponse]]],
 });
 
 export const MessageFormat = /* @__PURE__ */ field.command("3dm.message_format", 0x0c, 0x0f, {
     function: FunctionSelector,
-    descriptor_set: codec.u8,
-    num_descriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_descriptors", types.DescriptorRate, 83),
+    descriptorSet: codec.u8,
+    numDescriptors: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numDescriptors", types.DescriptorRate, 83),
 }, {
-    calls: { 1: 3, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 3, 1, 1, 1, 1],
     REPLIES: [[[2], [], [MessageFormatResponse]]],
 });
 
@@ -802,10 +802,10 @@ export const FactoryStreaming = /* @__PURE__ */ field.command("3dm.factory_strea
 
 export const DataStreamControl = /* @__PURE__ */ field.command("3dm.data_stream_control", 0x0c, 0x11, {
     function: FunctionSelector,
-    descriptor_set: codec.u8,
+    descriptorSet: codec.u8,
     enable: codec.bool,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [DataStreamControlResponse]]],
 });
 
@@ -815,22 +815,22 @@ export const RawRtcm2_3Message = /* @__PURE__ */ field.command("3dm.raw_rtcm_2_3
 
 export const ConstellationSettings = /* @__PURE__ */ field.command("3dm.constellation_settings", 0x0c, 0x21, {
     function: FunctionSelector,
-    max_channels: codec.u16,
-    config_count: /* @__PURE__ */ codec.counter(codec.u8, "settings"),
-    settings: /* @__PURE__ */ codec.counted("config_count", ConstellationSettingsEntry, 41),
+    maxChannels: codec.u16,
+    configCount: /* @__PURE__ */ codec.counter(codec.u8, "settings"),
+    settings: /* @__PURE__ */ codec.counted("configCount", ConstellationSettingsEntry, 41),
 }, {
-    calls: { 1: 3, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 3, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ConstellationSettingsResponse]]],
 });
 
 export const GnssSbasSettings = /* @__PURE__ */ field.command("3dm.gnss_sbas_settings", 0x0c, 0x22, {
     function: FunctionSelector,
-    enable_sbas: codec.u8,
-    sbas_options: SbasOptions,
-    num_included_prns: /* @__PURE__ */ codec.counter(codec.u8, "included_prns"),
-    included_prns: /* @__PURE__ */ codec.counted("num_included_prns", codec.u16, 124),
+    enableSbas: codec.u8,
+    sbasOptions: SbasOptions,
+    numIncludedPrns: /* @__PURE__ */ codec.counter(codec.u8, "includedPrns"),
+    includedPrns: /* @__PURE__ */ codec.counted("numIncludedPrns", codec.u16, 124),
 }, {
-    calls: { 1: 4, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 4, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GnssSbasSettingsResponse]]],
 });
 
@@ -839,17 +839,17 @@ export const GnssAssistedFix = /* @__PURE__ */ field.command("3dm.gnss_assisted_
     option: AssistedFixOption,
     flags: /* @__PURE__ */ codec.reserved(codec.u8, 255),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GnssAssistedFixResponse]]],
 });
 
 export const GnssTimeAssistance = /* @__PURE__ */ field.command("3dm.gnss_time_assistance", 0x0c, 0x24, {
     function: FunctionSelector,
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     accuracy: codec.float,
 }, {
-    calls: { 1: 3, 2: 0 },
+    calls: [, 3, 0],
     REPLIES: [[[2], [], [GnssTimeAssistanceResponse]]],
 });
 
@@ -857,7 +857,7 @@ export const PpsSourceControl = /* @__PURE__ */ field.command("3dm.pps_source_co
     function: FunctionSelector,
     source: PpsSource,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [PpsSourceControlResponse]]],
 });
 
@@ -872,20 +872,20 @@ export const EventControl = /* @__PURE__ */ field.command("3dm.event_control", 0
     instance: codec.u8,
     mode: types.EventTriggerMode,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [EventControlResponse]]],
 });
 
 export const GetEventTriggerStatus = /* @__PURE__ */ field.command("3dm.get_event_trigger_status", 0x0c, 0x2c, {
-    requested_count: /* @__PURE__ */ codec.counter(codec.u8, "requested_instances"),
-    requested_instances: /* @__PURE__ */ codec.counted("requested_count", codec.u8, 252),
+    requestedCount: /* @__PURE__ */ codec.counter(codec.u8, "requestedInstances"),
+    requestedInstances: /* @__PURE__ */ codec.counted("requestedCount", codec.u8, 252),
 }, {
     REPLIES: [[null, [], [GetEventTriggerStatusResponse]]],
 });
 
 export const GetEventActionStatus = /* @__PURE__ */ field.command("3dm.get_event_action_status", 0x0c, 0x2d, {
-    requested_count: /* @__PURE__ */ codec.counter(codec.u8, "requested_instances"),
-    requested_instances: /* @__PURE__ */ codec.counted("requested_count", codec.u8, 252),
+    requestedCount: /* @__PURE__ */ codec.counter(codec.u8, "requestedInstances"),
+    requestedInstances: /* @__PURE__ */ codec.counted("requestedCount", codec.u8, 252),
 }, {
     REPLIES: [[null, [], [GetEventActionStatusResponse]]],
 });
@@ -896,7 +896,7 @@ export const EventTriggerConfig = /* @__PURE__ */ field.command("3dm.event_trigg
     type: types.EventTriggerType,
     parameters: /* @__PURE__ */ codec.union("type", [[1, "gpio", types.EventTriggerGpio], [2, "threshold", types.EventTriggerThreshold], [3, "combination", types.EventTriggerCombination]]),
 }, {
-    calls: { 1: 3, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 3, 1, 1, 1, 1],
     REPLIES: [[[2], [], [EventTriggerConfigResponse]]],
 });
 
@@ -907,14 +907,14 @@ export const EventActionConfig = /* @__PURE__ */ field.command("3dm.event_action
     type: types.EventActionType,
     parameters: /* @__PURE__ */ codec.union("type", [[1, "gpio", types.EventActionGpio], [2, "message", types.EventActionMessage]]),
 }, {
-    calls: { 1: 4, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 4, 1, 1, 1, 1],
     REPLIES: [[[2], [], [EventActionConfigResponse]]],
 });
 
 export const DeviceSettings = /* @__PURE__ */ field.command("3dm.device_settings", 0x0c, 0x30, {
     function: FunctionSelector,
 }, {
-    calls: { 3: 0, 4: 0, 5: 0 },
+    calls: [,,, 0, 0, 0],
     TIMEOUT: 2,
 });
 
@@ -924,7 +924,7 @@ export const SensorToVehicleTransformEuler = /* @__PURE__ */ field.command("3dm.
     pitch: codec.float,
     yaw: codec.float,
 }, {
-    calls: { 1: 3, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 3, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleTransformEulerResponse]]],
 });
 
@@ -932,7 +932,7 @@ export const SensorToVehicleTransformQuaternion = /* @__PURE__ */ field.command(
     function: FunctionSelector,
     q: types.Quatf,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleTransformQuaternionResponse]]],
 });
 
@@ -940,7 +940,7 @@ export const SensorToVehicleTransformDcm = /* @__PURE__ */ field.command("3dm.se
     function: FunctionSelector,
     dcm: types.Matrix3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleTransformDcmResponse]]],
 });
 
@@ -948,22 +948,22 @@ export const GpsDynamicsMode = /* @__PURE__ */ field.command("3dm.gps_dynamics_m
     function: FunctionSelector,
     mode: ReceiverDynamics,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GpsDynamicsModeResponse]]],
 });
 
 export const ImuSignalConditioning = /* @__PURE__ */ field.command("3dm.imu_signal_conditioning", 0x0c, 0x35, {
     function: FunctionSelector,
-    orientation_decimation: codec.u16,
-    data_conditioning_flags: DataConditioningFlags,
-    inertial_filter_width: codec.u8,
-    mag_filter_width: codec.u8,
-    up_compensation: codec.u16,
-    north_compensation: codec.u16,
-    mag_bandwidth: MagBandwidth,
+    orientationDecimation: codec.u16,
+    dataConditioningFlags: DataConditioningFlags,
+    inertialFilterWidth: codec.u8,
+    magFilterWidth: codec.u8,
+    upCompensation: codec.u16,
+    northCompensation: codec.u16,
+    magBandwidth: MagBandwidth,
     reserved: /* @__PURE__ */ codec.reserved(codec.u16, 0),
 }, {
-    calls: { 1: 8, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 8, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ImuSignalConditioningResponse]]],
 });
 
@@ -972,7 +972,7 @@ export const ImuTimestamp = /* @__PURE__ */ field.command("3dm.imu_timestamp", 0
     selector: ImuTimestampSelector,
     time: codec.u32,
 }, {
-    calls: { 1: 2, 2: 1 },
+    calls: [, 2, 1],
     REPLIES: [[[2], [], [ImuTimestampResponse]]],
 });
 
@@ -980,7 +980,7 @@ export const AccelBias = /* @__PURE__ */ field.command("3dm.accel_bias", 0x0c, 0
     function: FunctionSelector,
     bias: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1 },
+    calls: [, 1, 0, 0, 0, 0, 1],
     REPLIES: [[[2], [], [AccelBiasResponse]]],
     SILENT: [[6], []],
 });
@@ -989,13 +989,13 @@ export const GyroBias = /* @__PURE__ */ field.command("3dm.gyro_bias", 0x0c, 0x3
     function: FunctionSelector,
     bias: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1 },
+    calls: [, 1, 0, 0, 0, 0, 1],
     REPLIES: [[[2], [], [GyroBiasResponse]]],
     SILENT: [[6], []],
 });
 
 export const CaptureGyroBias = /* @__PURE__ */ field.command("3dm.capture_gyro_bias", 0x0c, 0x39, {
-    averaging_time_ms: codec.u16,
+    averagingTimeMs: codec.u16,
 }, {
     REPLIES: [[null, [], [GyroBiasResponse]]],
     TIMEOUT: 31,
@@ -1005,7 +1005,7 @@ export const MagHardIronOffset = /* @__PURE__ */ field.command("3dm.mag_hard_iro
     function: FunctionSelector,
     offset: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1 },
+    calls: [, 1, 0, 0, 0, 0, 1],
     REPLIES: [[[2], [], [MagHardIronOffsetResponse]]],
     SILENT: [[6], []],
 });
@@ -1014,7 +1014,7 @@ export const MagSoftIronMatrix = /* @__PURE__ */ field.command("3dm.mag_soft_iro
     function: FunctionSelector,
     matrix: types.Matrix3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1 },
+    calls: [, 1, 0, 0, 0, 0, 1],
     REPLIES: [[[2], [], [MagSoftIronMatrixResponse]]],
     SILENT: [[6], []],
 });
@@ -1023,7 +1023,7 @@ export const ConingScullingEnable = /* @__PURE__ */ field.command("3dm.coning_sc
     function: FunctionSelector,
     enable: codec.bool,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ConingScullingEnableResponse]]],
 });
 
@@ -1031,7 +1031,7 @@ export const UartBaudRate = /* @__PURE__ */ field.command("3dm.uart_baud_rate", 
     function: FunctionSelector,
     baud: codec.u32,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [UartBaudRateResponse]]],
 });
 
@@ -1040,9 +1040,9 @@ export const GpioConfig = /* @__PURE__ */ field.command("3dm.gpio_config", 0x0c,
     pin: codec.u8,
     feature: types.GpioFeature,
     behavior: codec.u8,
-    pin_mode: types.GpioPinMode,
+    pinMode: types.GpioPinMode,
 }, {
-    calls: { 1: 4, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 4, 1, 1, 1, 1],
     REPLIES: [[[2], [], [GpioConfigResponse]]],
 });
 
@@ -1051,7 +1051,7 @@ export const GpioState = /* @__PURE__ */ field.command("3dm.gpio_state", 0x0c, 0
     pin: codec.u8,
     state: codec.bool,
 }, {
-    calls: { 1: 2, 2: 1 },
+    calls: [, 2, 1],
     REPLIES: [[[2], [], [GpioStateResponse]]],
 });
 
@@ -1061,30 +1061,30 @@ export const OdometerConfig = /* @__PURE__ */ field.command("3dm.odometer_config
     scaling: codec.float,
     uncertainty: codec.float,
 }, {
-    calls: { 1: 3, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 3, 0, 0, 0, 0],
     REPLIES: [[[2], [], [OdometerConfigResponse]]],
 });
 
 export const ImuLowPassFilter = /* @__PURE__ */ field.command("3dm.imu_low_pass_filter", 0x0c, 0x50, {
     function: FunctionSelector,
-    target_descriptor: codec.u8,
+    targetDescriptor: codec.u8,
     enable: codec.bool,
     manual: codec.bool,
     frequency: codec.u16,
     reserved: /* @__PURE__ */ codec.reserved(codec.u8, 0),
 }, {
-    calls: { 1: 5, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 5, 1, 1, 1, 1],
     REPLIES: [[[2], [], [ImuLowPassFilterResponse]]],
 });
 
 export const ComplementaryFilter = /* @__PURE__ */ field.command("3dm.complementary_filter", 0x0c, 0x51, {
     function: FunctionSelector,
-    pitch_roll_enable: codec.bool,
-    heading_enable: codec.bool,
-    pitch_roll_time_constant: codec.float,
-    heading_time_constant: codec.float,
+    pitchRollEnable: codec.bool,
+    headingEnable: codec.bool,
+    pitchRollTimeConstant: codec.float,
+    headingTimeConstant: codec.float,
 }, {
-    calls: { 1: 4, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 4, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ComplementaryFilterResponse]]],
 });
 
@@ -1093,7 +1093,7 @@ export const SensorRange = /* @__PURE__ */ field.command("3dm.sensor_range", 0x0
     sensor: SensorRangeType,
     setting: codec.u8,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [SensorRangeResponse]]],
 });
 
@@ -1105,13 +1105,13 @@ export const GetCalibratedSensorRanges = /* @__PURE__ */ field.command("3dm.get_
 
 export const LowPassFilter = /* @__PURE__ */ field.command("3dm.low_pass_filter", 0x0c, 0x54, {
     function: FunctionSelector,
-    descriptor_set: codec.u8,
-    field_descriptor: codec.u8,
+    descriptorSet: codec.u8,
+    fieldDescriptor: codec.u8,
     enable: codec.bool,
     manual: codec.bool,
     frequency: codec.float,
 }, {
-    calls: { 1: 5, 2: 2, 3: 2, 4: 2, 5: 2 },
+    calls: [, 5, 2, 2, 2, 2],
     REPLIES: [[[2], [], [LowPassFilterResponse]]],
 });
 
@@ -1120,7 +1120,7 @@ export const DataStreamFormat = /* @__PURE__ */ field.command("3dm.data_stream_f
     stream: InternalSensor,
     format: StreamFormat,
 }, {
-    calls: { 1: 2, 2: 2, 3: 2, 4: 2, 5: 2 },
+    calls: [, 2, 2, 2, 2, 2],
     REPLIES: [[[2], [], [DataStreamFormatResponse]]],
 });
 
@@ -1129,7 +1129,7 @@ export const DevicePowerState = /* @__PURE__ */ field.command("3dm.device_power_
     device: InternalSensor,
     state: SensorPowerState,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [DevicePowerStateResponse]]],
     TIMEOUT: 5,
 });
@@ -1137,12 +1137,12 @@ export const DevicePowerState = /* @__PURE__ */ field.command("3dm.device_power_
 export const GpsAdvancedSettings = /* @__PURE__ */ field.command("3dm.gps_advanced_settings", 0x0c, 0x62, {
     function: FunctionSelector,
 }, {
-    calls: { 3: 0, 4: 0, 5: 0 },
+    calls: [,,, 0, 0, 0],
 });
 
 export const DeviceStatus = /* @__PURE__ */ field.command("3dm.device_status", 0x0c, 0x64, {
-    model_number: codec.u16,
-    status_selector: DeviceStatusSelector,
+    modelNumber: codec.u16,
+    statusSelector: DeviceStatusSelector,
 }, {
-    REPLIES: [[null, [["status_selector", 1, false]], [DeviceStatusBasicRq1ImuResponse, DeviceStatusBasicResponse, DeviceStatusBasicWithoutStateResponse, DeviceStatusBasicGx3Response]], [null, [["status_selector", 2, false]], [DeviceStatusDiagnosticResponse, DeviceStatusDiagnosticGnssResponse, DeviceStatusDiagnosticGq4_45Response, DeviceStatusDiagnosticRq1_45Response, DeviceStatusDiagnosticGx4Response, DeviceStatusDiagnosticImuResponse, DeviceStatusDiagnosticGx4ImuResponse, DeviceStatusDiagnosticRq1ImuResponse, DeviceStatusDiagnosticGx3Response]]],
+    REPLIES: [[null, [["statusSelector", 1, false]], [DeviceStatusBasicRq1ImuResponse, DeviceStatusBasicResponse, DeviceStatusBasicWithoutStateResponse, DeviceStatusBasicGx3Response]], [null, [["statusSelector", 2, false]], [DeviceStatusDiagnosticResponse, DeviceStatusDiagnosticGnssResponse, DeviceStatusDiagnosticGq4_45Response, DeviceStatusDiagnosticRq1_45Response, DeviceStatusDiagnosticGx4Response, DeviceStatusDiagnosticImuResponse, DeviceStatusDiagnosticGx4ImuResponse, DeviceStatusDiagnosticRq1ImuResponse, DeviceStatusDiagnosticGx3Response]]],
 });

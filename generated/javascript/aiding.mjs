@@ -41,16 +41,16 @@ export const LlhAxisFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
 });
 
 export const FrameConfigResponse = /* @__PURE__ */ field.response("aiding.frame_config_response", 0x13, 0x81, {
-    frame_id: codec.u8,
+    frameId: codec.u8,
     format: AidingFrameFormat,
-    tracking_enabled: codec.bool,
+    trackingEnabled: codec.bool,
     translation: types.Vector3f,
     rotation: /* @__PURE__ */ codec.union("format", [[1, "euler", types.Vector3f], [2, "quaternion", types.Quatf]]),
 });
 
 export const SensorFrameMapResponse = /* @__PURE__ */ field.response("aiding.sensor_frame_map_response", 0x13, 0x82, {
-    sensor_id: codec.u8,
-    frame_id: codec.u8,
+    sensorId: codec.u8,
+    frameId: codec.u8,
 });
 
 export const EchoControlResponse = /* @__PURE__ */ field.response("aiding.echo_control_response", 0x13, 0x9f, {
@@ -59,22 +59,22 @@ export const EchoControlResponse = /* @__PURE__ */ field.response("aiding.echo_c
 
 export const FrameConfig = /* @__PURE__ */ field.command("aiding.frame_config", 0x13, 0x01, {
     function: FunctionSelector,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     format: AidingFrameFormat,
-    tracking_enabled: codec.bool,
+    trackingEnabled: codec.bool,
     translation: types.Vector3f,
     rotation: /* @__PURE__ */ codec.union("format", [[1, "euler", types.Vector3f], [2, "quaternion", types.Quatf]]),
 }, {
-    calls: { 1: 5, 2: 2, 3: 1, 4: 1, 5: 1 },
+    calls: [, 5, 2, 1, 1, 1],
     REPLIES: [[[2], [], [FrameConfigResponse]]],
 });
 
 export const SensorFrameMap = /* @__PURE__ */ field.command("aiding.sensor_frame_map", 0x13, 0x02, {
     function: FunctionSelector,
-    sensor_id: codec.u8,
-    frame_id: codec.u8,
+    sensorId: codec.u8,
+    frameId: codec.u8,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorFrameMapResponse]]],
 });
 
@@ -82,16 +82,16 @@ export const EchoControl = /* @__PURE__ */ field.command("aiding.echo_control", 
     function: FunctionSelector,
     mode: AidingEchoMode,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [EchoControlResponse]]],
 });
 
 export const EcefPosition = /* @__PURE__ */ field.command("aiding.ecef_position", 0x13, 0x21, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     position: types.Vector3d,
     uncertainty: types.Vector3f,
-    valid_flags: AxisFlags,
+    validFlags: AxisFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { position: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
@@ -99,12 +99,12 @@ export const EcefPosition = /* @__PURE__ */ field.command("aiding.ecef_position"
 
 export const LlhPosition = /* @__PURE__ */ field.command("aiding.llh_position", 0x13, 0x22, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     latitude: codec.double,
     longitude: codec.double,
     height: codec.double,
     uncertainty: types.Ned3f,
-    valid_flags: LlhAxisFlags,
+    validFlags: LlhAxisFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { latitude: 0x1, longitude: 0x2, height: 0x4, uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
@@ -112,30 +112,30 @@ export const LlhPosition = /* @__PURE__ */ field.command("aiding.llh_position", 
 
 export const HeightAboveEllipsoid = /* @__PURE__ */ field.command("aiding.height_above_ellipsoid", 0x13, 0x23, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     height: codec.float,
     uncertainty: codec.float,
-    valid_flags: codec.u16,
+    validFlags: codec.u16,
 }, {
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
 export const PressureOld = /* @__PURE__ */ field.command("aiding.pressure_old", 0x13, 0x25, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     pressure: codec.float,
     uncertainty: codec.float,
-    valid_flags: codec.u16,
+    validFlags: codec.u16,
 }, {
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
 export const EcefVelocity = /* @__PURE__ */ field.command("aiding.ecef_velocity", 0x13, 0x28, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     velocity: types.Vector3f,
     uncertainty: types.Vector3f,
-    valid_flags: AxisFlags,
+    validFlags: AxisFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
@@ -143,10 +143,10 @@ export const EcefVelocity = /* @__PURE__ */ field.command("aiding.ecef_velocity"
 
 export const NedVelocity = /* @__PURE__ */ field.command("aiding.ned_velocity", 0x13, 0x29, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     velocity: types.Ned3f,
     uncertainty: types.Ned3f,
-    valid_flags: AxisFlags,
+    validFlags: AxisFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
@@ -154,10 +154,10 @@ export const NedVelocity = /* @__PURE__ */ field.command("aiding.ned_velocity", 
 
 export const BodyFrameVelocity = /* @__PURE__ */ field.command("aiding.body_frame_velocity", 0x13, 0x2a, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     velocity: types.Vector3f,
     uncertainty: types.Vector3f,
-    valid_flags: AxisFlags,
+    validFlags: AxisFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
@@ -165,20 +165,20 @@ export const BodyFrameVelocity = /* @__PURE__ */ field.command("aiding.body_fram
 
 export const TrueHeading = /* @__PURE__ */ field.command("aiding.true_heading", 0x13, 0x31, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     heading: codec.float,
     uncertainty: codec.float,
-    valid_flags: codec.u16,
+    validFlags: codec.u16,
 }, {
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });
 
 export const MagneticField = /* @__PURE__ */ field.command("aiding.magnetic_field", 0x13, 0x32, {
     time: MeasurementTime,
-    frame_id: codec.u8,
-    magnetic_field: types.Vector3f,
+    frameId: codec.u8,
+    magneticField: types.Vector3f,
     uncertainty: types.Vector3f,
-    valid_flags: AxisFlags,
+    validFlags: AxisFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { magneticField: [0x1, 0x2, 0x4], uncertainty: [0x1, 0x2, 0x4] } }),
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
@@ -186,10 +186,10 @@ export const MagneticField = /* @__PURE__ */ field.command("aiding.magnetic_fiel
 
 export const Pressure = /* @__PURE__ */ field.command("aiding.pressure", 0x13, 0x33, {
     time: MeasurementTime,
-    frame_id: codec.u8,
+    frameId: codec.u8,
     pressure: codec.float,
     uncertainty: codec.float,
-    valid_flags: codec.u16,
+    validFlags: codec.u16,
 }, {
     SILENCED_BY: [[() => EchoControl, "mode", 0]],
 });

@@ -6,12 +6,12 @@ import { FunctionSelector } from "./protocol.mjs";
 import * as types from "./types.mjs";
 
 export const BaseDeviceInfo = /* @__PURE__ */ codec.struct({
-    firmware_version: codec.u16,
-    model_name: /* @__PURE__ */ codec.text(16),
-    model_number: /* @__PURE__ */ codec.text(16),
-    serial_number: /* @__PURE__ */ codec.text(16),
-    lot_number: /* @__PURE__ */ codec.text(16),
-    device_options: /* @__PURE__ */ codec.text(16),
+    firmwareVersion: codec.u16,
+    modelName: /* @__PURE__ */ codec.text(16),
+    modelNumber: /* @__PURE__ */ codec.text(16),
+    serialNumber: /* @__PURE__ */ codec.text(16),
+    lotNumber: /* @__PURE__ */ codec.text(16),
+    deviceOptions: /* @__PURE__ */ codec.text(16),
 });
 
 export const GpsTimeField = /* @__PURE__ */ codec.enumeration(codec.u8, {
@@ -20,7 +20,7 @@ export const GpsTimeField = /* @__PURE__ */ codec.enumeration(codec.u8, {
 });
 
 export const GetDeviceInfoResponse = /* @__PURE__ */ field.response("base.get_device_info_response", 0x01, 0x81, {
-    device_info: BaseDeviceInfo,
+    deviceInfo: BaseDeviceInfo,
 });
 
 export const GetDeviceDescriptorsResponse = /* @__PURE__ */ field.response("base.get_device_descriptors_response", 0x01, 0x82, {
@@ -32,7 +32,7 @@ export const BuiltInTestResponse = /* @__PURE__ */ field.response("base.built_in
 });
 
 export const GpsTimeUpdateWeekNumberResponse = /* @__PURE__ */ field.response("base.gps_time_update_week_number_response", 0x01, 0x84, {
-    week_number: codec.u32,
+    weekNumber: codec.u32,
 });
 
 export const GpsTimeUpdateTowResponse = /* @__PURE__ */ field.response("base.gps_time_update_tow_response", 0x01, 0x85, {
@@ -84,17 +84,17 @@ export const CommSpeed = /* @__PURE__ */ field.command("base.comm_speed", 0x01, 
     port: codec.u8,
     baud: codec.u32,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [CommSpeedResponse]]],
 });
 
 export const GpsTimeUpdate = /* @__PURE__ */ field.command("base.gps_time_update", 0x01, 0x72, {
     function: FunctionSelector,
-    field_id: GpsTimeField,
+    fieldId: GpsTimeField,
     value: codec.u32,
 }, {
-    calls: { 1: 2, 2: 1, 6: 2 },
-    REPLIES: [[[2], [["field_id", 1, false]], [GpsTimeUpdateWeekNumberResponse]], [[2], [["field_id", 2, false]], [GpsTimeUpdateTowResponse]]],
+    calls: [, 2, 1,,,, 2],
+    REPLIES: [[[2], [["fieldId", 1, false]], [GpsTimeUpdateWeekNumberResponse]], [[2], [["fieldId", 2, false]], [GpsTimeUpdateTowResponse]]],
     SILENT: [[6], []],
 });
 

@@ -21,7 +21,7 @@ export const GetCalibration = /* @__PURE__ */ field.command("displacement.get_ca
 export const OutputRate = /* @__PURE__ */ field.command("displacement.output_rate", 0x11, 0x02, {
     function: FunctionSelector,
 }, {
-    calls: { 2: 0 },
+    calls: [,, 0],
     REPLIES: [[[2], [], [OutputRateResponse]]],
 });
 
@@ -29,5 +29,5 @@ export const DeviceTime = /* @__PURE__ */ field.command("displacement.device_tim
     function: FunctionSelector,
     time: codec.u64,
 }, {
-    calls: { 1: 1 },
+    calls: [, 1],
 });

@@ -245,31 +245,31 @@ export const MagneticDeclinationSourceResponse = /* @__PURE__ */ field.response(
 });
 
 export const AccelMagnitudeErrorAdaptiveMeasurementResponse = /* @__PURE__ */ field.response("filter.accel_magnitude_error_adaptive_measurement_response", 0x0d, 0xb3, {
-    adaptive_measurement: AdaptiveMeasurementSelector,
+    adaptiveMeasurement: AdaptiveMeasurementSelector,
     frequency: codec.float,
-    low_limit: codec.float,
-    high_limit: codec.float,
-    low_limit_uncertainty: codec.float,
-    high_limit_uncertainty: codec.float,
-    minimum_uncertainty: codec.float,
+    lowLimit: codec.float,
+    highLimit: codec.float,
+    lowLimitUncertainty: codec.float,
+    highLimitUncertainty: codec.float,
+    minimumUncertainty: codec.float,
 });
 
 export const MagMagnitudeErrorAdaptiveMeasurementResponse = /* @__PURE__ */ field.response("filter.mag_magnitude_error_adaptive_measurement_response", 0x0d, 0xb4, {
-    adaptive_measurement: AdaptiveMeasurementSelector,
+    adaptiveMeasurement: AdaptiveMeasurementSelector,
     frequency: codec.float,
-    low_limit: codec.float,
-    high_limit: codec.float,
-    low_limit_uncertainty: codec.float,
-    high_limit_uncertainty: codec.float,
-    minimum_uncertainty: codec.float,
+    lowLimit: codec.float,
+    highLimit: codec.float,
+    lowLimitUncertainty: codec.float,
+    highLimitUncertainty: codec.float,
+    minimumUncertainty: codec.float,
 });
 
 export const MagDipAngleErrorAdaptiveMeasurementResponse = /* @__PURE__ */ field.response("filter.mag_dip_angle_error_adaptive_measurement_response", 0x0d, 0xb5, {
     enable: codec.bool,
     frequency: codec.float,
-    high_limit: codec.float,
-    high_limit_uncertainty: codec.float,
-    minimum_uncertainty: codec.float,
+    highLimit: codec.float,
+    highLimitUncertainty: codec.float,
+    minimumUncertainty: codec.float,
 });
 
 export const AltitudeAidingResponse = /* @__PURE__ */ field.response("filter.altitude_aiding_response", 0x0d, 0xb7, {
@@ -299,52 +299,52 @@ export const SensorToVehicleRotationQuaternionResponse = /* @__PURE__ */ field.r
 });
 
 export const AidingMeasurementEnableResponse = /* @__PURE__ */ field.response("filter.aiding_measurement_enable_response", 0x0d, 0xd0, {
-    aiding_source: AidingSource,
+    aidingSource: AidingSource,
     enable: codec.bool,
 });
 
 export const KinematicConstraintResponse = /* @__PURE__ */ field.response("filter.kinematic_constraint_response", 0x0d, 0xd1, {
-    accel_constraint: AccelConstraint,
-    velocity_constraint: VelocityConstraint,
-    angular_constraint: AngularConstraint,
+    accelConstraint: AccelConstraint,
+    velocityConstraint: VelocityConstraint,
+    angularConstraint: AngularConstraint,
 });
 
 export const InitializationConfigResponse = /* @__PURE__ */ field.response("filter.initialization_config_response", 0x0d, 0xd2, {
-    wait_for_run_command: codec.u8,
-    initial_condition_source: InitialConditionSource,
-    auto_heading_alignment_selector: HeadingAlignment,
-    initial_heading: codec.float,
-    initial_pitch: codec.float,
-    initial_roll: codec.float,
-    initial_position: types.Vector3f,
-    initial_velocity: types.Vector3f,
-    reference_frame_selector: ReferenceFrame,
+    waitForRunCommand: codec.u8,
+    initialConditionSource: InitialConditionSource,
+    autoHeadingAlignmentSelector: HeadingAlignment,
+    initialHeading: codec.float,
+    initialPitch: codec.float,
+    initialRoll: codec.float,
+    initialPosition: types.Vector3f,
+    initialVelocity: types.Vector3f,
+    referenceFrameSelector: ReferenceFrame,
 });
 
 export const AdaptiveFilterOptionsResponse = /* @__PURE__ */ field.response("filter.adaptive_filter_options_response", 0x0d, 0xd3, {
     level: AdaptiveLevel,
-    time_limit: codec.u16,
+    timeLimit: codec.u16,
 });
 
 export const MultiAntennaOffsetResponse = /* @__PURE__ */ field.response("filter.multi_antenna_offset_response", 0x0d, 0xd4, {
-    receiver_id: codec.u8,
-    antenna_offset: types.Vector3f,
+    receiverId: codec.u8,
+    antennaOffset: types.Vector3f,
 });
 
 export const RelativePositionConfigResponse = /* @__PURE__ */ field.response("filter.relative_position_config_response", 0x0d, 0xd5, {
     source: RelativePositionSource,
-    reference_frame_selector: ReferenceFrame,
-    reference_coordinates: types.Vector3d,
+    referenceFrameSelector: ReferenceFrame,
+    referenceCoordinates: types.Vector3d,
 });
 
 export const ReferencePointLeverArmResponse = /* @__PURE__ */ field.response("filter.reference_point_lever_arm_response", 0x0d, 0xd6, {
-    reference_point: ReferencePoint,
-    lever_arm_offset: types.Vector3f,
+    referencePoint: ReferencePoint,
+    leverArmOffset: types.Vector3f,
 });
 
 export const SpeedLeverArmResponse = /* @__PURE__ */ field.response("filter.speed_lever_arm_response", 0x0d, 0xe1, {
     source: /* @__PURE__ */ codec.reserved(codec.u8, 1),
-    lever_arm_offset: types.Vector3f,
+    leverArmOffset: types.Vector3f,
 });
 
 export const VerticalGyroConstraintControlResponse = /* @__PURE__ */ field.response("filter.vertical_gyro_constraint_control_response", 0x0d, 0xe2, {
@@ -357,7 +357,7 @@ export const WheeledVehicleConstraintControlResponse = /* @__PURE__ */ field.res
 
 export const GnssAntennaCalibrationControlResponse = /* @__PURE__ */ field.response("filter.gnss_antenna_calibration_control_response", 0x0d, 0xe4, {
     enable: codec.u8,
-    max_offset: codec.float,
+    maxOffset: codec.float,
 });
 
 export const Reset = /* @__PURE__ */ field.command("filter.reset", 0x0d, 0x01, {});
@@ -382,7 +382,7 @@ export const VehicleDynamicsMode = /* @__PURE__ */ field.command("filter.vehicle
     function: FunctionSelector,
     mode: DynamicsMode,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [VehicleDynamicsModeResponse]]],
 });
 
@@ -392,7 +392,7 @@ export const SensorToVehicleRotationEuler = /* @__PURE__ */ field.command("filte
     pitch: codec.float,
     yaw: codec.float,
 }, {
-    calls: { 1: 3, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 3, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleRotationEulerResponse]]],
 });
 
@@ -400,7 +400,7 @@ export const SensorToVehicleOffset = /* @__PURE__ */ field.command("filter.senso
     function: FunctionSelector,
     offset: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleOffsetResponse]]],
 });
 
@@ -408,7 +408,7 @@ export const AntennaOffset = /* @__PURE__ */ field.command("filter.antenna_offse
     function: FunctionSelector,
     offset: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AntennaOffsetResponse]]],
 });
 
@@ -416,7 +416,7 @@ export const EstimationControl = /* @__PURE__ */ field.command("filter.estimatio
     function: FunctionSelector,
     flags: EstimatedStates,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [EstimationControlResponse]]],
 });
 
@@ -424,24 +424,24 @@ export const GnssSource = /* @__PURE__ */ field.command("filter.gnss_source", 0x
     function: FunctionSelector,
     source: GnssAidingSource,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GnssSourceResponse]]],
 });
 
 export const ExternalGnssUpdate = /* @__PURE__ */ field.command("filter.external_gnss_update", 0x0d, 0x16, {
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     latitude: codec.double,
     longitude: codec.double,
     height: codec.double,
     velocity: types.Ned3f,
-    position_uncertainty: types.Ned3f,
-    velocity_uncertainty: types.Ned3f,
+    positionUncertainty: types.Ned3f,
+    velocityUncertainty: types.Ned3f,
 });
 
 export const ExternalHeadingUpdate = /* @__PURE__ */ field.command("filter.external_heading_update", 0x0d, 0x17, {
     heading: codec.float,
-    heading_uncertainty: codec.float,
+    headingUncertainty: codec.float,
     type: HeadingType,
 });
 
@@ -449,7 +449,7 @@ export const HeadingSource = /* @__PURE__ */ field.command("filter.heading_sourc
     function: FunctionSelector,
     source: HeadingUpdateSource,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [HeadingSourceResponse]]],
 });
 
@@ -457,7 +457,7 @@ export const AutoInitializationControl = /* @__PURE__ */ field.command("filter.a
     function: FunctionSelector,
     enable: codec.u8,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AutoInitializationControlResponse]]],
 });
 
@@ -465,7 +465,7 @@ export const AccelNoise = /* @__PURE__ */ field.command("filter.accel_noise", 0x
     function: FunctionSelector,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AccelNoiseResponse]]],
 });
 
@@ -473,7 +473,7 @@ export const GyroNoise = /* @__PURE__ */ field.command("filter.gyro_noise", 0x0d
     function: FunctionSelector,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GyroNoiseResponse]]],
 });
 
@@ -482,7 +482,7 @@ export const AccelBiasModel = /* @__PURE__ */ field.command("filter.accel_bias_m
     beta: types.Vector3f,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AccelBiasModelResponse]]],
 });
 
@@ -491,7 +491,7 @@ export const GyroBiasModel = /* @__PURE__ */ field.command("filter.gyro_bias_mod
     beta: types.Vector3f,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GyroBiasModelResponse]]],
 });
 
@@ -500,15 +500,15 @@ export const AutoZupt = /* @__PURE__ */ field.command("filter.auto_zupt", 0x0d, 
     enable: codec.u8,
     threshold: codec.float,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AutoZuptResponse]]],
 });
 
 export const ExternalHeadingUpdateWithTime = /* @__PURE__ */ field.command("filter.external_heading_update_with_time", 0x0d, 0x1f, {
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     heading: codec.float,
-    heading_uncertainty: codec.float,
+    headingUncertainty: codec.float,
     type: HeadingType,
 });
 
@@ -517,7 +517,7 @@ export const AutoAngularZupt = /* @__PURE__ */ field.command("filter.auto_angula
     enable: codec.u8,
     threshold: codec.float,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AutoAngularZuptResponse]]],
 });
 
@@ -525,7 +525,7 @@ export const TareOrientation = /* @__PURE__ */ field.command("filter.tare_orient
     function: FunctionSelector,
     axes: TareAxes,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [TareOrientationResponse]]],
 });
 
@@ -540,21 +540,21 @@ export const ReferencePosition = /* @__PURE__ */ field.command("filter.reference
     longitude: codec.double,
     altitude: codec.double,
 }, {
-    calls: { 1: 4, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 4, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ReferencePositionResponse]]],
 });
 
 export const MagCaptureAutoCalibration = /* @__PURE__ */ field.command("filter.mag_capture_auto_calibration", 0x0d, 0x27, {
     function: FunctionSelector,
 }, {
-    calls: { 1: 0, 3: 0 },
+    calls: [, 0,, 0],
 });
 
 export const GravityNoise = /* @__PURE__ */ field.command("filter.gravity_noise", 0x0d, 0x28, {
     function: FunctionSelector,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GravityNoiseResponse]]],
 });
 
@@ -562,7 +562,7 @@ export const PressureAltitudeNoise = /* @__PURE__ */ field.command("filter.press
     function: FunctionSelector,
     noise: codec.float,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [PressureAltitudeNoiseResponse]]],
 });
 
@@ -570,7 +570,7 @@ export const HardIronOffsetNoise = /* @__PURE__ */ field.command("filter.hard_ir
     function: FunctionSelector,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [HardIronOffsetNoiseResponse]]],
 });
 
@@ -578,7 +578,7 @@ export const SoftIronMatrixNoise = /* @__PURE__ */ field.command("filter.soft_ir
     function: FunctionSelector,
     noise: types.Matrix3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SoftIronMatrixNoiseResponse]]],
 });
 
@@ -586,7 +586,7 @@ export const EnableMeasurements = /* @__PURE__ */ field.command("filter.enable_m
     function: FunctionSelector,
     control: MeasurementFlags,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [EnableMeasurementsResponse]]],
 });
 
@@ -594,7 +594,7 @@ export const MagNoise = /* @__PURE__ */ field.command("filter.mag_noise", 0x0d, 
     function: FunctionSelector,
     noise: types.Vector3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [MagNoiseResponse]]],
 });
 
@@ -603,35 +603,35 @@ export const MagneticDeclinationSource = /* @__PURE__ */ field.command("filter.m
     source: MagParameterSource,
     declination: codec.float,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [MagneticDeclinationSourceResponse]]],
 });
 
 export const AccelMagnitudeErrorAdaptiveMeasurement = /* @__PURE__ */ field.command("filter.accel_magnitude_error_adaptive_measurement", 0x0d, 0x44, {
     function: FunctionSelector,
-    adaptive_measurement: AdaptiveMeasurementSelector,
+    adaptiveMeasurement: AdaptiveMeasurementSelector,
     frequency: codec.float,
-    low_limit: codec.float,
-    high_limit: codec.float,
-    low_limit_uncertainty: codec.float,
-    high_limit_uncertainty: codec.float,
-    minimum_uncertainty: codec.float,
+    lowLimit: codec.float,
+    highLimit: codec.float,
+    lowLimitUncertainty: codec.float,
+    highLimitUncertainty: codec.float,
+    minimumUncertainty: codec.float,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AccelMagnitudeErrorAdaptiveMeasurementResponse]]],
 });
 
 export const MagMagnitudeErrorAdaptiveMeasurement = /* @__PURE__ */ field.command("filter.mag_magnitude_error_adaptive_measurement", 0x0d, 0x45, {
     function: FunctionSelector,
-    adaptive_measurement: AdaptiveMeasurementSelector,
+    adaptiveMeasurement: AdaptiveMeasurementSelector,
     frequency: codec.float,
-    low_limit: codec.float,
-    high_limit: codec.float,
-    low_limit_uncertainty: codec.float,
-    high_limit_uncertainty: codec.float,
-    minimum_uncertainty: codec.float,
+    lowLimit: codec.float,
+    highLimit: codec.float,
+    lowLimitUncertainty: codec.float,
+    highLimitUncertainty: codec.float,
+    minimumUncertainty: codec.float,
 }, {
-    calls: { 1: 7, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 7, 0, 0, 0, 0],
     REPLIES: [[[2], [], [MagMagnitudeErrorAdaptiveMeasurementResponse]]],
 });
 
@@ -639,11 +639,11 @@ export const MagDipAngleErrorAdaptiveMeasurement = /* @__PURE__ */ field.command
     function: FunctionSelector,
     enable: codec.bool,
     frequency: codec.float,
-    high_limit: codec.float,
-    high_limit_uncertainty: codec.float,
-    minimum_uncertainty: codec.float,
+    highLimit: codec.float,
+    highLimitUncertainty: codec.float,
+    minimumUncertainty: codec.float,
 }, {
-    calls: { 1: 5, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 5, 0, 0, 0, 0],
     REPLIES: [[[2], [], [MagDipAngleErrorAdaptiveMeasurementResponse]]],
 });
 
@@ -651,7 +651,7 @@ export const AltitudeAiding = /* @__PURE__ */ field.command("filter.altitude_aid
     function: FunctionSelector,
     selector: AltitudeAidingSource,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AltitudeAidingResponse]]],
 });
 
@@ -659,7 +659,7 @@ export const PitchRollAiding = /* @__PURE__ */ field.command("filter.pitch_roll_
     function: FunctionSelector,
     aiding: PitchRollAidingSource,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [PitchRollAidingResponse]]],
 });
 
@@ -668,7 +668,7 @@ export const MagneticInclinationSource = /* @__PURE__ */ field.command("filter.m
     source: MagParameterSource,
     inclination: codec.float,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [MagneticInclinationSourceResponse]]],
 });
 
@@ -677,7 +677,7 @@ export const MagneticMagnitudeSource = /* @__PURE__ */ field.command("filter.mag
     source: MagParameterSource,
     magnitude: codec.float,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [MagneticMagnitudeSourceResponse]]],
 });
 
@@ -685,7 +685,7 @@ export const SensorToVehicleRotationDcm = /* @__PURE__ */ field.command("filter.
     function: FunctionSelector,
     dcm: types.Matrix3f,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleRotationDcmResponse]]],
 });
 
@@ -693,79 +693,79 @@ export const SensorToVehicleRotationQuaternion = /* @__PURE__ */ field.command("
     function: FunctionSelector,
     q: types.Quatf,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SensorToVehicleRotationQuaternionResponse]]],
 });
 
 export const AidingMeasurementEnable = /* @__PURE__ */ field.command("filter.aiding_measurement_enable", 0x0d, 0x50, {
     function: FunctionSelector,
-    aiding_source: AidingSource,
+    aidingSource: AidingSource,
     enable: codec.bool,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [AidingMeasurementEnableResponse]]],
 });
 
 export const KinematicConstraint = /* @__PURE__ */ field.command("filter.kinematic_constraint", 0x0d, 0x51, {
     function: FunctionSelector,
-    accel_constraint: AccelConstraint,
-    velocity_constraint: VelocityConstraint,
-    angular_constraint: AngularConstraint,
+    accelConstraint: AccelConstraint,
+    velocityConstraint: VelocityConstraint,
+    angularConstraint: AngularConstraint,
 }, {
-    calls: { 1: 3, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 3, 0, 0, 0, 0],
     REPLIES: [[[2], [], [KinematicConstraintResponse]]],
 });
 
 export const InitializationConfig = /* @__PURE__ */ field.command("filter.initialization_config", 0x0d, 0x52, {
     function: FunctionSelector,
-    wait_for_run_command: codec.u8,
-    initial_condition_source: InitialConditionSource,
-    auto_heading_alignment_selector: HeadingAlignment,
-    initial_heading: codec.float,
-    initial_pitch: codec.float,
-    initial_roll: codec.float,
-    initial_position: types.Vector3f,
-    initial_velocity: types.Vector3f,
-    reference_frame_selector: ReferenceFrame,
+    waitForRunCommand: codec.u8,
+    initialConditionSource: InitialConditionSource,
+    autoHeadingAlignmentSelector: HeadingAlignment,
+    initialHeading: codec.float,
+    initialPitch: codec.float,
+    initialRoll: codec.float,
+    initialPosition: types.Vector3f,
+    initialVelocity: types.Vector3f,
+    referenceFrameSelector: ReferenceFrame,
 }, {
-    calls: { 1: 9, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 9, 0, 0, 0, 0],
     REPLIES: [[[2], [], [InitializationConfigResponse]]],
 });
 
 export const AdaptiveFilterOptions = /* @__PURE__ */ field.command("filter.adaptive_filter_options", 0x0d, 0x53, {
     function: FunctionSelector,
     level: AdaptiveLevel,
-    time_limit: codec.u16,
+    timeLimit: codec.u16,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [AdaptiveFilterOptionsResponse]]],
 });
 
 export const MultiAntennaOffset = /* @__PURE__ */ field.command("filter.multi_antenna_offset", 0x0d, 0x54, {
     function: FunctionSelector,
-    receiver_id: codec.u8,
-    antenna_offset: types.Vector3f,
+    receiverId: codec.u8,
+    antennaOffset: types.Vector3f,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [MultiAntennaOffsetResponse]]],
 });
 
 export const RelativePositionConfig = /* @__PURE__ */ field.command("filter.relative_position_config", 0x0d, 0x55, {
     function: FunctionSelector,
     source: RelativePositionSource,
-    reference_frame_selector: ReferenceFrame,
-    reference_coordinates: types.Vector3d,
+    referenceFrameSelector: ReferenceFrame,
+    referenceCoordinates: types.Vector3d,
 }, {
-    calls: { 1: 3, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 3, 0, 0, 0, 0],
     REPLIES: [[[2], [], [RelativePositionConfigResponse]]],
 });
 
 export const ReferencePointLeverArm = /* @__PURE__ */ field.command("filter.reference_point_lever_arm", 0x0d, 0x56, {
     function: FunctionSelector,
-    reference_point: ReferencePoint,
-    lever_arm_offset: types.Vector3f,
+    referencePoint: ReferencePoint,
+    leverArmOffset: types.Vector3f,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ReferencePointLeverArmResponse]]],
 });
 
@@ -773,15 +773,15 @@ export const SpeedMeasurement = /* @__PURE__ */ field.command("filter.speed_meas
     source: /* @__PURE__ */ codec.reserved(codec.u8, 1),
     tow: codec.float,
     speed: codec.float,
-    speed_uncertainty: codec.float,
+    speedUncertainty: codec.float,
 });
 
 export const SpeedLeverArm = /* @__PURE__ */ field.command("filter.speed_lever_arm", 0x0d, 0x61, {
     function: FunctionSelector,
     source: /* @__PURE__ */ codec.reserved(codec.u8, 1),
-    lever_arm_offset: types.Vector3f,
+    leverArmOffset: types.Vector3f,
 }, {
-    calls: { 1: 2, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 2, 1, 1, 1, 1],
     REPLIES: [[[2], [], [SpeedLeverArmResponse]]],
 });
 
@@ -789,7 +789,7 @@ export const VerticalGyroConstraintControl = /* @__PURE__ */ field.command("filt
     function: FunctionSelector,
     enable: codec.u8,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [VerticalGyroConstraintControlResponse]]],
 });
 
@@ -797,15 +797,15 @@ export const WheeledVehicleConstraintControl = /* @__PURE__ */ field.command("fi
     function: FunctionSelector,
     enable: codec.u8,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [WheeledVehicleConstraintControlResponse]]],
 });
 
 export const GnssAntennaCalibrationControl = /* @__PURE__ */ field.command("filter.gnss_antenna_calibration_control", 0x0d, 0x64, {
     function: FunctionSelector,
     enable: codec.u8,
-    max_offset: codec.float,
+    maxOffset: codec.float,
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [GnssAntennaCalibrationControlResponse]]],
 });

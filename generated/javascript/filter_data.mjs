@@ -143,372 +143,372 @@ export const Cv7StatusFlags = /* @__PURE__ */ codec.bitfield(codec.u16, {
     SOLUTION_ERROR: [12, 15],
 });
 
-export const LlhPosition = /* @__PURE__ */ field.data("filter_data.llh_position", 0x82, 0x01, {
-    latitude: codec.double,
-    longitude: codec.double,
-    ellipsoid_height: codec.double,
-    valid_flags: ValidFlags,
+export const LlhPosition = /* @__PURE__ */ field.data("filter_data.llh_position", 0x82, 0x01, (values, reader) => {
+    values.latitude = codec.double(reader, 0);
+    values.longitude = codec.double(reader, 8);
+    values.ellipsoidHeight = codec.double(reader, 16);
+    values.validFlags = codec.u16(reader, 24);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { latitude: 0x1, longitude: 0x1, ellipsoidHeight: 0x1 } }),
 });
 
-export const NedVelocity = /* @__PURE__ */ field.data("filter_data.ned_velocity", 0x82, 0x02, {
-    north: codec.float,
-    east: codec.float,
-    down: codec.float,
-    valid_flags: ValidFlags,
+export const NedVelocity = /* @__PURE__ */ field.data("filter_data.ned_velocity", 0x82, 0x02, (values, reader) => {
+    values.north = codec.float(reader, 0);
+    values.east = codec.float(reader, 4);
+    values.down = codec.float(reader, 8);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { north: 0x1, east: 0x1, down: 0x1 } }),
 });
 
-export const AttitudeQuaternion = /* @__PURE__ */ field.data("filter_data.attitude_quaternion", 0x82, 0x03, {
-    q: types.Quatf,
-    valid_flags: ValidFlags,
+export const AttitudeQuaternion = /* @__PURE__ */ field.data("filter_data.attitude_quaternion", 0x82, 0x03, (values, reader) => {
+    values.q = types.Quatf(reader, 0);
+    values.validFlags = codec.u16(reader, 16);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { q: 0x1 } }),
 });
 
-export const AttitudeDcm = /* @__PURE__ */ field.data("filter_data.attitude_dcm", 0x82, 0x04, {
-    dcm: types.Matrix3f,
-    valid_flags: ValidFlags,
+export const AttitudeDcm = /* @__PURE__ */ field.data("filter_data.attitude_dcm", 0x82, 0x04, (values, reader) => {
+    values.dcm = types.Matrix3f(reader, 0);
+    values.validFlags = codec.u16(reader, 36);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { dcm: 0x1 } }),
 });
 
-export const EulerAngles = /* @__PURE__ */ field.data("filter_data.euler_angles", 0x82, 0x05, {
-    roll: codec.float,
-    pitch: codec.float,
-    yaw: codec.float,
-    valid_flags: ValidFlags,
+export const EulerAngles = /* @__PURE__ */ field.data("filter_data.euler_angles", 0x82, 0x05, (values, reader) => {
+    values.roll = codec.float(reader, 0);
+    values.pitch = codec.float(reader, 4);
+    values.yaw = codec.float(reader, 8);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { roll: 0x1, pitch: 0x1, yaw: 0x1 } }),
 });
 
-export const GyroBias = /* @__PURE__ */ field.data("filter_data.gyro_bias", 0x82, 0x06, {
-    bias: types.Vector3f,
-    valid_flags: ValidFlags,
+export const GyroBias = /* @__PURE__ */ field.data("filter_data.gyro_bias", 0x82, 0x06, (values, reader) => {
+    values.bias = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1 } }),
 });
 
-export const AccelBias = /* @__PURE__ */ field.data("filter_data.accel_bias", 0x82, 0x07, {
-    bias: types.Vector3f,
-    valid_flags: ValidFlags,
+export const AccelBias = /* @__PURE__ */ field.data("filter_data.accel_bias", 0x82, 0x07, (values, reader) => {
+    values.bias = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1 } }),
 });
 
-export const LlhPositionUncertainty = /* @__PURE__ */ field.data("filter_data.llh_position_uncertainty", 0x82, 0x08, {
-    north: codec.float,
-    east: codec.float,
-    down: codec.float,
-    valid_flags: ValidFlags,
+export const LlhPositionUncertainty = /* @__PURE__ */ field.data("filter_data.llh_position_uncertainty", 0x82, 0x08, (values, reader) => {
+    values.north = codec.float(reader, 0);
+    values.east = codec.float(reader, 4);
+    values.down = codec.float(reader, 8);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { north: 0x1, east: 0x1, down: 0x1 } }),
 });
 
-export const NedVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ned_velocity_uncertainty", 0x82, 0x09, {
-    north: codec.float,
-    east: codec.float,
-    down: codec.float,
-    valid_flags: ValidFlags,
+export const NedVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ned_velocity_uncertainty", 0x82, 0x09, (values, reader) => {
+    values.north = codec.float(reader, 0);
+    values.east = codec.float(reader, 4);
+    values.down = codec.float(reader, 8);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { north: 0x1, east: 0x1, down: 0x1 } }),
 });
 
-export const EulerAnglesUncertainty = /* @__PURE__ */ field.data("filter_data.euler_angles_uncertainty", 0x82, 0x0a, {
-    roll: codec.float,
-    pitch: codec.float,
-    yaw: codec.float,
-    valid_flags: ValidFlags,
+export const EulerAnglesUncertainty = /* @__PURE__ */ field.data("filter_data.euler_angles_uncertainty", 0x82, 0x0a, (values, reader) => {
+    values.roll = codec.float(reader, 0);
+    values.pitch = codec.float(reader, 4);
+    values.yaw = codec.float(reader, 8);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { roll: 0x1, pitch: 0x1, yaw: 0x1 } }),
 });
 
-export const GyroBiasUncertainty = /* @__PURE__ */ field.data("filter_data.gyro_bias_uncertainty", 0x82, 0x0b, {
-    bias_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const GyroBiasUncertainty = /* @__PURE__ */ field.data("filter_data.gyro_bias_uncertainty", 0x82, 0x0b, (values, reader) => {
+    values.biasUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1 } }),
 });
 
-export const AccelBiasUncertainty = /* @__PURE__ */ field.data("filter_data.accel_bias_uncertainty", 0x82, 0x0c, {
-    bias_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const AccelBiasUncertainty = /* @__PURE__ */ field.data("filter_data.accel_bias_uncertainty", 0x82, 0x0c, (values, reader) => {
+    values.biasUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1 } }),
 });
 
-export const LinearAccel = /* @__PURE__ */ field.data("filter_data.linear_accel", 0x82, 0x0d, {
-    accel: types.Vector3f,
-    valid_flags: ValidFlags,
+export const LinearAccel = /* @__PURE__ */ field.data("filter_data.linear_accel", 0x82, 0x0d, (values, reader) => {
+    values.accel = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { accel: 0x1 } }),
 });
 
-export const CompAngularRate = /* @__PURE__ */ field.data("filter_data.comp_angular_rate", 0x82, 0x0e, {
-    gyro: types.Vector3f,
-    valid_flags: ValidFlags,
+export const CompAngularRate = /* @__PURE__ */ field.data("filter_data.comp_angular_rate", 0x82, 0x0e, (values, reader) => {
+    values.gyro = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { gyro: 0x1 } }),
 });
 
-export const Wgs84GravityMagnitude = /* @__PURE__ */ field.data("filter_data.wgs84_gravity_magnitude", 0x82, 0x0f, {
-    gravity_magnitude: codec.float,
-    valid_flags: ValidFlags,
+export const Wgs84GravityMagnitude = /* @__PURE__ */ field.data("filter_data.wgs84_gravity_magnitude", 0x82, 0x0f, (values, reader) => {
+    values.gravityMagnitude = codec.float(reader, 0);
+    values.validFlags = codec.u16(reader, 4);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { gravityMagnitude: 0x1 } }),
 });
 
-export const Status = /* @__PURE__ */ field.data("filter_data.status", 0x82, 0x10, {
-    filter_state: codec.u16,
-    dynamics_mode: codec.u16,
-    status_flags: codec.u16,
+export const Status = /* @__PURE__ */ field.data("filter_data.status", 0x82, 0x10, (values, reader) => {
+    values.filterState = codec.u16(reader, 0);
+    values.dynamicsMode = codec.u16(reader, 2);
+    values.statusFlags = codec.u16(reader, 4);
 });
 
-export const Timestamp = /* @__PURE__ */ field.data("filter_data.timestamp", 0x82, 0x11, {
-    tow: codec.double,
-    week_number: codec.u16,
-    valid_flags: ValidFlags,
+export const Timestamp = /* @__PURE__ */ field.data("filter_data.timestamp", 0x82, 0x11, (values, reader) => {
+    values.tow = codec.double(reader, 0);
+    values.weekNumber = codec.u16(reader, 8);
+    values.validFlags = codec.u16(reader, 10);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x1 } }),
 });
 
-export const QuaternionAttitudeUncertainty = /* @__PURE__ */ field.data("filter_data.quaternion_attitude_uncertainty", 0x82, 0x12, {
-    q: types.Quatf,
-    valid_flags: ValidFlags,
+export const QuaternionAttitudeUncertainty = /* @__PURE__ */ field.data("filter_data.quaternion_attitude_uncertainty", 0x82, 0x12, (values, reader) => {
+    values.q = types.Quatf(reader, 0);
+    values.validFlags = codec.u16(reader, 16);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { q: 0x1 } }),
 });
 
-export const GravityVector = /* @__PURE__ */ field.data("filter_data.gravity_vector", 0x82, 0x13, {
-    gravity: types.Vector3f,
-    valid_flags: ValidFlags,
+export const GravityVector = /* @__PURE__ */ field.data("filter_data.gravity_vector", 0x82, 0x13, (values, reader) => {
+    values.gravity = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { gravity: 0x1 } }),
 });
 
-export const HeadingUpdateState = /* @__PURE__ */ field.data("filter_data.heading_update_state", 0x82, 0x14, {
-    heading: codec.float,
-    heading_uncertainty: codec.float,
-    source: HeadingSourceFlags,
-    valid_flags: ValidFlags,
+export const HeadingUpdateState = /* @__PURE__ */ field.data("filter_data.heading_update_state", 0x82, 0x14, (values, reader) => {
+    values.heading = codec.float(reader, 0);
+    values.headingUncertainty = codec.float(reader, 4);
+    values.source = codec.u16(reader, 8);
+    values.validFlags = codec.u16(reader, 10);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { heading: 0x1, headingUncertainty: 0x1 } }),
 });
 
-export const MagneticModel = /* @__PURE__ */ field.data("filter_data.magnetic_model", 0x82, 0x15, {
-    intensity_north: codec.float,
-    intensity_east: codec.float,
-    intensity_down: codec.float,
-    inclination: codec.float,
-    declination: codec.float,
-    valid_flags: ValidFlags,
+export const MagneticModel = /* @__PURE__ */ field.data("filter_data.magnetic_model", 0x82, 0x15, (values, reader) => {
+    values.intensityNorth = codec.float(reader, 0);
+    values.intensityEast = codec.float(reader, 4);
+    values.intensityDown = codec.float(reader, 8);
+    values.inclination = codec.float(reader, 12);
+    values.declination = codec.float(reader, 16);
+    values.validFlags = codec.u16(reader, 20);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { intensityNorth: 0x1, intensityEast: 0x1, intensityDown: 0x1, inclination: 0x1, declination: 0x1 } }),
 });
 
-export const GyroScaleFactor = /* @__PURE__ */ field.data("filter_data.gyro_scale_factor", 0x82, 0x16, {
-    scale_factor: types.Vector3f,
-    valid_flags: ValidFlags,
+export const GyroScaleFactor = /* @__PURE__ */ field.data("filter_data.gyro_scale_factor", 0x82, 0x16, (values, reader) => {
+    values.scaleFactor = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactor: 0x1 } }),
 });
 
-export const AccelScaleFactor = /* @__PURE__ */ field.data("filter_data.accel_scale_factor", 0x82, 0x17, {
-    scale_factor: types.Vector3f,
-    valid_flags: ValidFlags,
+export const AccelScaleFactor = /* @__PURE__ */ field.data("filter_data.accel_scale_factor", 0x82, 0x17, (values, reader) => {
+    values.scaleFactor = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactor: 0x1 } }),
 });
 
-export const GyroScaleFactorUncertainty = /* @__PURE__ */ field.data("filter_data.gyro_scale_factor_uncertainty", 0x82, 0x18, {
-    scale_factor_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const GyroScaleFactorUncertainty = /* @__PURE__ */ field.data("filter_data.gyro_scale_factor_uncertainty", 0x82, 0x18, (values, reader) => {
+    values.scaleFactorUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorUncertainty: 0x1 } }),
 });
 
-export const AccelScaleFactorUncertainty = /* @__PURE__ */ field.data("filter_data.accel_scale_factor_uncertainty", 0x82, 0x19, {
-    scale_factor_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const AccelScaleFactorUncertainty = /* @__PURE__ */ field.data("filter_data.accel_scale_factor_uncertainty", 0x82, 0x19, (values, reader) => {
+    values.scaleFactorUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorUncertainty: 0x1 } }),
 });
 
-export const MagBias = /* @__PURE__ */ field.data("filter_data.mag_bias", 0x82, 0x1a, {
-    bias: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MagBias = /* @__PURE__ */ field.data("filter_data.mag_bias", 0x82, 0x1a, (values, reader) => {
+    values.bias = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1 } }),
 });
 
-export const MagBiasUncertainty = /* @__PURE__ */ field.data("filter_data.mag_bias_uncertainty", 0x82, 0x1b, {
-    bias_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MagBiasUncertainty = /* @__PURE__ */ field.data("filter_data.mag_bias_uncertainty", 0x82, 0x1b, (values, reader) => {
+    values.biasUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1 } }),
 });
 
-export const CompAccel = /* @__PURE__ */ field.data("filter_data.comp_accel", 0x82, 0x1c, {
-    accel: types.Vector3f,
-    valid_flags: ValidFlags,
+export const CompAccel = /* @__PURE__ */ field.data("filter_data.comp_accel", 0x82, 0x1c, (values, reader) => {
+    values.accel = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { accel: 0x1 } }),
 });
 
-export const StandardAtmosphere = /* @__PURE__ */ field.data("filter_data.standard_atmosphere", 0x82, 0x20, {
-    geometric_altitude: codec.float,
-    geopotential_altitude: codec.float,
-    standard_temperature: codec.float,
-    standard_pressure: codec.float,
-    standard_density: codec.float,
-    valid_flags: ValidFlags,
+export const StandardAtmosphere = /* @__PURE__ */ field.data("filter_data.standard_atmosphere", 0x82, 0x20, (values, reader) => {
+    values.geometricAltitude = codec.float(reader, 0);
+    values.geopotentialAltitude = codec.float(reader, 4);
+    values.standardTemperature = codec.float(reader, 8);
+    values.standardPressure = codec.float(reader, 12);
+    values.standardDensity = codec.float(reader, 16);
+    values.validFlags = codec.u16(reader, 20);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { geometricAltitude: 0x1, geopotentialAltitude: 0x1, standardTemperature: 0x1, standardPressure: 0x1, standardDensity: 0x1 } }),
 });
 
-export const PressureAltitude = /* @__PURE__ */ field.data("filter_data.pressure_altitude", 0x82, 0x21, {
-    pressure_altitude: codec.float,
-    valid_flags: ValidFlags,
+export const PressureAltitude = /* @__PURE__ */ field.data("filter_data.pressure_altitude", 0x82, 0x21, (values, reader) => {
+    values.pressureAltitude = codec.float(reader, 0);
+    values.validFlags = codec.u16(reader, 4);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { pressureAltitude: 0x1 } }),
 });
 
-export const DensityAltitude = /* @__PURE__ */ field.data("filter_data.density_altitude", 0x82, 0x22, {
-    density_altitude: codec.float,
-    valid_flags: ValidFlags,
+export const DensityAltitude = /* @__PURE__ */ field.data("filter_data.density_altitude", 0x82, 0x22, (values, reader) => {
+    values.densityAltitude = codec.float(reader, 0);
+    values.validFlags = codec.u16(reader, 4);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { densityAltitude: 0x1 } }),
 });
 
-export const MagOffset = /* @__PURE__ */ field.data("filter_data.mag_offset", 0x82, 0x25, {
-    hard_iron: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MagOffset = /* @__PURE__ */ field.data("filter_data.mag_offset", 0x82, 0x25, (values, reader) => {
+    values.hardIron = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { hardIron: 0x1 } }),
 });
 
-export const MagMatrix = /* @__PURE__ */ field.data("filter_data.mag_matrix", 0x82, 0x26, {
-    soft_iron: types.Matrix3f,
-    valid_flags: ValidFlags,
+export const MagMatrix = /* @__PURE__ */ field.data("filter_data.mag_matrix", 0x82, 0x26, (values, reader) => {
+    values.softIron = types.Matrix3f(reader, 0);
+    values.validFlags = codec.u16(reader, 36);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { softIron: 0x1 } }),
 });
 
-export const MagOffsetUncertainty = /* @__PURE__ */ field.data("filter_data.mag_offset_uncertainty", 0x82, 0x28, {
-    hard_iron_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MagOffsetUncertainty = /* @__PURE__ */ field.data("filter_data.mag_offset_uncertainty", 0x82, 0x28, (values, reader) => {
+    values.hardIronUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { hardIronUncertainty: 0x1 } }),
 });
 
-export const MagMatrixUncertainty = /* @__PURE__ */ field.data("filter_data.mag_matrix_uncertainty", 0x82, 0x29, {
-    soft_iron_uncertainty: types.Matrix3f,
-    valid_flags: ValidFlags,
+export const MagMatrixUncertainty = /* @__PURE__ */ field.data("filter_data.mag_matrix_uncertainty", 0x82, 0x29, (values, reader) => {
+    values.softIronUncertainty = types.Matrix3f(reader, 0);
+    values.validFlags = codec.u16(reader, 36);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { softIronUncertainty: 0x1 } }),
 });
 
-export const MagCovarianceMatrix = /* @__PURE__ */ field.data("filter_data.mag_covariance_matrix", 0x82, 0x2a, {
-    covariance: types.Matrix3f,
-    valid_flags: ValidFlags,
+export const MagCovarianceMatrix = /* @__PURE__ */ field.data("filter_data.mag_covariance_matrix", 0x82, 0x2a, (values, reader) => {
+    values.covariance = types.Matrix3f(reader, 0);
+    values.validFlags = codec.u16(reader, 36);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { covariance: 0x1 } }),
 });
 
-export const MagResidualVector = /* @__PURE__ */ field.data("filter_data.mag_residual_vector", 0x82, 0x2c, {
-    residual: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MagResidualVector = /* @__PURE__ */ field.data("filter_data.mag_residual_vector", 0x82, 0x2c, (values, reader) => {
+    values.residual = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { residual: 0x1 } }),
 });
 
-export const AntennaOffsetCorrection = /* @__PURE__ */ field.data("filter_data.antenna_offset_correction", 0x82, 0x30, {
-    offset: types.Vector3f,
-    valid_flags: ValidFlags,
+export const AntennaOffsetCorrection = /* @__PURE__ */ field.data("filter_data.antenna_offset_correction", 0x82, 0x30, (values, reader) => {
+    values.offset = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { offset: 0x1 } }),
 });
 
-export const AntennaOffsetCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.antenna_offset_correction_uncertainty", 0x82, 0x31, {
-    offset_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const AntennaOffsetCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.antenna_offset_correction_uncertainty", 0x82, 0x31, (values, reader) => {
+    values.offsetUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { offsetUncertainty: 0x1 } }),
 });
 
-export const ClockCorrection = /* @__PURE__ */ field.data("filter_data.clock_correction", 0x82, 0x32, {
-    receiver_id: codec.u8,
-    bias: codec.float,
-    bias_drift: codec.float,
-    valid_flags: ValidFlags,
+export const ClockCorrection = /* @__PURE__ */ field.data("filter_data.clock_correction", 0x82, 0x32, (values, reader) => {
+    values.receiverId = codec.u8(reader, 0);
+    values.bias = codec.float(reader, 1);
+    values.biasDrift = codec.float(reader, 5);
+    values.validFlags = codec.u16(reader, 9);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1, biasDrift: 0x1 } }),
 });
 
-export const ClockCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.clock_correction_uncertainty", 0x82, 0x33, {
-    receiver_id: codec.u8,
-    bias_uncertainty: codec.float,
-    bias_drift_uncertainty: codec.float,
-    valid_flags: ValidFlags,
+export const ClockCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.clock_correction_uncertainty", 0x82, 0x33, (values, reader) => {
+    values.receiverId = codec.u8(reader, 0);
+    values.biasUncertainty = codec.float(reader, 1);
+    values.biasDriftUncertainty = codec.float(reader, 5);
+    values.validFlags = codec.u16(reader, 9);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { biasUncertainty: 0x1, biasDriftUncertainty: 0x1 } }),
 });
 
-export const MultiAntennaOffsetCorrection = /* @__PURE__ */ field.data("filter_data.multi_antenna_offset_correction", 0x82, 0x34, {
-    receiver_id: codec.u8,
-    offset: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MultiAntennaOffsetCorrection = /* @__PURE__ */ field.data("filter_data.multi_antenna_offset_correction", 0x82, 0x34, (values, reader) => {
+    values.receiverId = codec.u8(reader, 0);
+    values.offset = types.Vector3f(reader, 1);
+    values.validFlags = codec.u16(reader, 13);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { offset: 0x1 } }),
 });
 
-export const MultiAntennaOffsetCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.multi_antenna_offset_correction_uncertainty", 0x82, 0x35, {
-    receiver_id: codec.u8,
-    offset_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const MultiAntennaOffsetCorrectionUncertainty = /* @__PURE__ */ field.data("filter_data.multi_antenna_offset_correction_uncertainty", 0x82, 0x35, (values, reader) => {
+    values.receiverId = codec.u8(reader, 0);
+    values.offsetUncertainty = types.Vector3f(reader, 1);
+    values.validFlags = codec.u16(reader, 13);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { offsetUncertainty: 0x1 } }),
 });
 
-export const EcefPositionUncertainty = /* @__PURE__ */ field.data("filter_data.ecef_position_uncertainty", 0x82, 0x36, {
-    position_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const EcefPositionUncertainty = /* @__PURE__ */ field.data("filter_data.ecef_position_uncertainty", 0x82, 0x36, (values, reader) => {
+    values.positionUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { positionUncertainty: 0x1 } }),
 });
 
-export const EcefVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ecef_velocity_uncertainty", 0x82, 0x37, {
-    velocity_uncertainty: types.Vector3f,
-    valid_flags: ValidFlags,
+export const EcefVelocityUncertainty = /* @__PURE__ */ field.data("filter_data.ecef_velocity_uncertainty", 0x82, 0x37, (values, reader) => {
+    values.velocityUncertainty = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocityUncertainty: 0x1 } }),
 });
 
-export const EcefPosition = /* @__PURE__ */ field.data("filter_data.ecef_position", 0x82, 0x40, {
-    position: types.Vector3d,
-    valid_flags: ValidFlags,
+export const EcefPosition = /* @__PURE__ */ field.data("filter_data.ecef_position", 0x82, 0x40, (values, reader) => {
+    values.position = types.Vector3d(reader, 0);
+    values.validFlags = codec.u16(reader, 24);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { position: 0x1 } }),
 });
 
-export const EcefVelocity = /* @__PURE__ */ field.data("filter_data.ecef_velocity", 0x82, 0x41, {
-    velocity: types.Vector3f,
-    valid_flags: ValidFlags,
+export const EcefVelocity = /* @__PURE__ */ field.data("filter_data.ecef_velocity", 0x82, 0x41, (values, reader) => {
+    values.velocity = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: 0x1 } }),
 });
 
-export const NedRelativePosition = /* @__PURE__ */ field.data("filter_data.ned_relative_position", 0x82, 0x42, {
-    relative_position: types.Ned3d,
-    valid_flags: ValidFlags,
+export const NedRelativePosition = /* @__PURE__ */ field.data("filter_data.ned_relative_position", 0x82, 0x42, (values, reader) => {
+    values.relativePosition = types.Ned3d(reader, 0);
+    values.validFlags = codec.u16(reader, 24);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { relativePosition: 0x1 } }),
 });
 
 export const GnssPositionAidingStatus = /* @__PURE__ */ field.data("filter_data.gnss_position_aiding_status", 0x82, 0x43, {
-    receiver_id: codec.u8,
+    receiverId: codec.u8,
     tow: codec.float,
     status: GnssAidingStatus,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 8), Array(8).fill(0)),
@@ -526,46 +526,46 @@ export const HeadingAidingStatus = /* @__PURE__ */ field.data("filter_data.headi
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.float, 0.0), 2), Array(2).fill(0.0)),
 });
 
-export const AidingMeasurementSummary = /* @__PURE__ */ field.data("filter_data.aiding_measurement_summary", 0x82, 0x46, {
-    tow: codec.float,
-    source: codec.u8,
-    type: AidingMeasurementType,
-    indicator: AidingMeasurementIndicator,
+export const AidingMeasurementSummary = /* @__PURE__ */ field.data("filter_data.aiding_measurement_summary", 0x82, 0x46, (values, reader) => {
+    values.tow = codec.float(reader, 0);
+    values.source = codec.u8(reader, 4);
+    values.type = codec.u8(reader, 5);
+    values.indicator = codec.u8(reader, 6);
 });
 
-export const OdometerScaleFactorError = /* @__PURE__ */ field.data("filter_data.odometer_scale_factor_error", 0x82, 0x47, {
-    scale_factor_error: codec.float,
-    valid_flags: ValidFlags,
+export const OdometerScaleFactorError = /* @__PURE__ */ field.data("filter_data.odometer_scale_factor_error", 0x82, 0x47, (values, reader) => {
+    values.scaleFactorError = codec.float(reader, 0);
+    values.validFlags = codec.u16(reader, 4);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorError: 0x1 } }),
 });
 
-export const OdometerScaleFactorErrorUncertainty = /* @__PURE__ */ field.data("filter_data.odometer_scale_factor_error_uncertainty", 0x82, 0x48, {
-    scale_factor_error_uncertainty: codec.float,
-    valid_flags: ValidFlags,
+export const OdometerScaleFactorErrorUncertainty = /* @__PURE__ */ field.data("filter_data.odometer_scale_factor_error_uncertainty", 0x82, 0x48, (values, reader) => {
+    values.scaleFactorErrorUncertainty = codec.float(reader, 0);
+    values.validFlags = codec.u16(reader, 4);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaleFactorErrorUncertainty: 0x1 } }),
 });
 
-export const GnssDualAntennaStatus = /* @__PURE__ */ field.data("filter_data.gnss_dual_antenna_status", 0x82, 0x49, {
-    tow: codec.float,
-    heading: codec.float,
-    heading_uncertainty: codec.float,
-    fix_type: DualAntennaFixType,
-    status_flags: DualAntennaStatusFlags,
-    valid_flags: ValidFlags,
+export const GnssDualAntennaStatus = /* @__PURE__ */ field.data("filter_data.gnss_dual_antenna_status", 0x82, 0x49, (values, reader) => {
+    values.tow = codec.float(reader, 0);
+    values.heading = codec.float(reader, 4);
+    values.headingUncertainty = codec.float(reader, 8);
+    values.fixType = codec.u8(reader, 12);
+    values.statusFlags = codec.u16(reader, 13);
+    values.validFlags = codec.u16(reader, 15);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, heading: 0x1, headingUncertainty: 0x1 } }),
 });
 
-export const AidingFrameConfigError = /* @__PURE__ */ field.data("filter_data.aiding_frame_config_error", 0x82, 0x50, {
-    frame_id: codec.u8,
-    translation: types.Vector3f,
-    attitude: types.Quatf,
+export const AidingFrameConfigError = /* @__PURE__ */ field.data("filter_data.aiding_frame_config_error", 0x82, 0x50, (values, reader) => {
+    values.frameId = codec.u8(reader, 0);
+    values.translation = types.Vector3f(reader, 1);
+    values.attitude = types.Quatf(reader, 13);
 });
 
-export const AidingFrameConfigErrorUncertainty = /* @__PURE__ */ field.data("filter_data.aiding_frame_config_error_uncertainty", 0x82, 0x51, {
-    frame_id: codec.u8,
-    translation_uncertainty: types.Vector3f,
-    attitude_uncertainty: types.Vector3f,
+export const AidingFrameConfigErrorUncertainty = /* @__PURE__ */ field.data("filter_data.aiding_frame_config_error_uncertainty", 0x82, 0x51, (values, reader) => {
+    values.frameId = codec.u8(reader, 0);
+    values.translationUncertainty = types.Vector3f(reader, 1);
+    values.attitudeUncertainty = types.Vector3f(reader, 13);
 });

@@ -6,8 +6,8 @@ import { FunctionSelector } from "./protocol.mjs";
 import * as types from "./types.mjs";
 
 export const ReceiverInfoEntry = /* @__PURE__ */ codec.struct({
-    receiver_id: codec.u8,
-    mip_data_descriptor_set: codec.u8,
+    receiverId: codec.u8,
+    mipDataDescriptorSet: codec.u8,
     description: /* @__PURE__ */ codec.text(32),
 });
 
@@ -63,20 +63,20 @@ export const SpartnConnection = /* @__PURE__ */ codec.enumeration(codec.u8, {
 });
 
 export const ReceiverInfoResponse = /* @__PURE__ */ field.response("gnss.receiver_info_response", 0x0e, 0x81, {
-    num_receivers: /* @__PURE__ */ codec.counter(codec.u8, "receiver_info"),
-    receiver_info: /* @__PURE__ */ codec.counted("num_receivers", ReceiverInfoEntry, 7),
+    numReceivers: /* @__PURE__ */ codec.counter(codec.u8, "receiverInfo"),
+    receiverInfo: /* @__PURE__ */ codec.counted("numReceivers", ReceiverInfoEntry, 7),
 });
 
 export const SignalConfigResponse = /* @__PURE__ */ field.response("gnss.signal_config_response", 0x0e, 0x82, {
-    gps_enable: GpsSignals,
-    glonass_enable: GlonassSignals,
-    galileo_enable: GalileoSignals,
-    beidou_enable: BeidouSignals,
+    gpsEnable: GpsSignals,
+    glonassEnable: GlonassSignals,
+    galileoEnable: GalileoSignals,
+    beidouEnable: BeidouSignals,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 4), Array(4).fill(0)),
 });
 
 export const RtkConfigResponse = /* @__PURE__ */ field.response("gnss.rtk_config_response", 0x0e, 0x84, {
-    ambiguity_fix_mode: AmbiguityFixMode,
+    ambiguityFixMode: AmbiguityFixMode,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 4), Array(4).fill(0)),
 });
 
@@ -88,12 +88,12 @@ export const RtkDongleConfigResponse = /* @__PURE__ */ field.response("gnss.rtk_
 export const SpartnConfigResponse = /* @__PURE__ */ field.response("gnss.spartn_config_response", 0x0e, 0xa0, {
     enable: codec.u8,
     type: SpartnConnection,
-    current_key_tow: codec.u32,
-    current_key_week: codec.u16,
-    current_key: /* @__PURE__ */ codec.array(codec.u8, 32),
-    next_key_tow: codec.u32,
-    next_key_week: codec.u16,
-    next_key: /* @__PURE__ */ codec.array(codec.u8, 32),
+    currentKeyTow: codec.u32,
+    currentKeyWeek: codec.u16,
+    currentKey: /* @__PURE__ */ codec.array(codec.u8, 32),
+    nextKeyTow: codec.u32,
+    nextKeyWeek: codec.u16,
+    nextKey: /* @__PURE__ */ codec.array(codec.u8, 32),
 });
 
 export const ReceiverInfo = /* @__PURE__ */ field.command("gnss.receiver_info", 0x0e, 0x01, {}, {
@@ -102,27 +102,27 @@ export const ReceiverInfo = /* @__PURE__ */ field.command("gnss.receiver_info", 
 
 export const SignalConfig = /* @__PURE__ */ field.command("gnss.signal_config", 0x0e, 0x02, {
     function: FunctionSelector,
-    gps_enable: GpsSignals,
-    glonass_enable: GlonassSignals,
-    galileo_enable: GalileoSignals,
-    beidou_enable: BeidouSignals,
+    gpsEnable: GpsSignals,
+    glonassEnable: GlonassSignals,
+    galileoEnable: GalileoSignals,
+    beidouEnable: BeidouSignals,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 4), Array(4).fill(0)),
 }, {
-    calls: { 1: 5, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 5, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SignalConfigResponse]]],
 });
 
 export const ReceiverReset = /* @__PURE__ */ field.command("gnss.receiver_reset", 0x0e, 0x03, {
-    receiver_id: ReceiverId,
-    reset_type: ReceiverResetType,
+    receiverId: ReceiverId,
+    resetType: ReceiverResetType,
 });
 
 export const RtkConfig = /* @__PURE__ */ field.command("gnss.rtk_config", 0x0e, 0x04, {
     function: FunctionSelector,
-    ambiguity_fix_mode: AmbiguityFixMode,
+    ambiguityFixMode: AmbiguityFixMode,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 4), Array(4).fill(0)),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [RtkConfigResponse]]],
 });
 
@@ -131,7 +131,7 @@ export const RtkDongleConfig = /* @__PURE__ */ field.command("gnss.rtk_dongle_co
     enable: codec.u8,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 3), Array(3).fill(0)),
 }, {
-    calls: { 1: 2, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 2, 0, 0, 0, 0],
     REPLIES: [[[2], [], [RtkDongleConfigResponse]]],
 });
 
@@ -139,18 +139,18 @@ export const SpartnConfig = /* @__PURE__ */ field.command("gnss.spartn_config", 
     function: FunctionSelector,
     enable: codec.u8,
     type: SpartnConnection,
-    current_key_tow: codec.u32,
-    current_key_week: codec.u16,
-    current_key: /* @__PURE__ */ codec.array(codec.u8, 32),
-    next_key_tow: codec.u32,
-    next_key_week: codec.u16,
-    next_key: /* @__PURE__ */ codec.array(codec.u8, 32),
+    currentKeyTow: codec.u32,
+    currentKeyWeek: codec.u16,
+    currentKey: /* @__PURE__ */ codec.array(codec.u8, 32),
+    nextKeyTow: codec.u32,
+    nextKeyWeek: codec.u16,
+    nextKey: /* @__PURE__ */ codec.array(codec.u8, 32),
 }, {
-    calls: { 1: 8, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 8, 0, 0, 0, 0],
     REPLIES: [[[2], [], [SpartnConfigResponse]]],
 });
 
 export const ReceiverSafeMode = /* @__PURE__ */ field.command("gnss.receiver_safe_mode", 0x0e, 0x60, {
-    receiver_id: codec.u8,
+    receiverId: codec.u8,
     enable: codec.u8,
 });

@@ -350,455 +350,455 @@ export const BeidouIonoCorrectionFlags = /* @__PURE__ */ codec.bitfield(codec.u1
     FLAGS: [0, 4],
 });
 
-export const LlhPosition = /* @__PURE__ */ field.data("gnss_data.llh_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x03, {
-    latitude: codec.double,
-    longitude: codec.double,
-    ellipsoid_height: codec.double,
-    msl_height: codec.double,
-    horizontal_accuracy: codec.float,
-    vertical_accuracy: codec.float,
-    valid_flags: LlhPositionFlags,
+export const LlhPosition = /* @__PURE__ */ field.data("gnss_data.llh_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x03, (values, reader) => {
+    values.latitude = codec.double(reader, 0);
+    values.longitude = codec.double(reader, 8);
+    values.ellipsoidHeight = codec.double(reader, 16);
+    values.mslHeight = codec.double(reader, 24);
+    values.horizontalAccuracy = codec.float(reader, 32);
+    values.verticalAccuracy = codec.float(reader, 36);
+    values.validFlags = codec.u16(reader, 40);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { latitude: 0x1, longitude: 0x1, ellipsoidHeight: 0x2, mslHeight: 0x4, horizontalAccuracy: 0x8, verticalAccuracy: 0x10 } }),
 });
 
-export const EcefPosition = /* @__PURE__ */ field.data("gnss_data.ecef_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x04, {
-    position: types.Vector3d,
-    position_accuracy: codec.float,
-    valid_flags: EcefPositionFlags,
+export const EcefPosition = /* @__PURE__ */ field.data("gnss_data.ecef_position", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x04, (values, reader) => {
+    values.position = types.Vector3d(reader, 0);
+    values.positionAccuracy = codec.float(reader, 24);
+    values.validFlags = codec.u16(reader, 28);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { position: 0x1, positionAccuracy: 0x2 } }),
 });
 
-export const NedVelocity = /* @__PURE__ */ field.data("gnss_data.ned_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x05, {
-    velocity: types.Ned3f,
-    speed: codec.float,
-    ground_speed: codec.float,
-    heading: codec.float,
-    speed_accuracy: codec.float,
-    heading_accuracy: codec.float,
-    valid_flags: NedVelocityFlags,
+export const NedVelocity = /* @__PURE__ */ field.data("gnss_data.ned_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x05, (values, reader) => {
+    values.velocity = types.Ned3f(reader, 0);
+    values.speed = codec.float(reader, 12);
+    values.groundSpeed = codec.float(reader, 16);
+    values.heading = codec.float(reader, 20);
+    values.speedAccuracy = codec.float(reader, 24);
+    values.headingAccuracy = codec.float(reader, 28);
+    values.validFlags = codec.u16(reader, 32);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: 0x1, speed: 0x2, groundSpeed: 0x4, heading: 0x8, speedAccuracy: 0x10, headingAccuracy: 0x20 } }),
 });
 
-export const EcefVelocity = /* @__PURE__ */ field.data("gnss_data.ecef_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x06, {
-    velocity: types.Vector3f,
-    velocity_accuracy: codec.float,
-    valid_flags: EcefVelocityFlags,
+export const EcefVelocity = /* @__PURE__ */ field.data("gnss_data.ecef_velocity", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x06, (values, reader) => {
+    values.velocity = types.Vector3f(reader, 0);
+    values.velocityAccuracy = codec.float(reader, 12);
+    values.validFlags = codec.u16(reader, 16);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { velocity: 0x1, velocityAccuracy: 0x2 } }),
 });
 
-export const Dop = /* @__PURE__ */ field.data("gnss_data.dop", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x07, {
-    gdop: codec.float,
-    pdop: codec.float,
-    hdop: codec.float,
-    vdop: codec.float,
-    tdop: codec.float,
-    ndop: codec.float,
-    edop: codec.float,
-    valid_flags: DopFlags,
+export const Dop = /* @__PURE__ */ field.data("gnss_data.dop", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x07, (values, reader) => {
+    values.gdop = codec.float(reader, 0);
+    values.pdop = codec.float(reader, 4);
+    values.hdop = codec.float(reader, 8);
+    values.vdop = codec.float(reader, 12);
+    values.tdop = codec.float(reader, 16);
+    values.ndop = codec.float(reader, 20);
+    values.edop = codec.float(reader, 24);
+    values.validFlags = codec.u16(reader, 28);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { gdop: 0x1, pdop: 0x2, hdop: 0x4, vdop: 0x8, tdop: 0x10, ndop: 0x20, edop: 0x40 } }),
 });
 
-export const UtcTime = /* @__PURE__ */ field.data("gnss_data.utc_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x08, {
-    year: codec.u16,
-    month: codec.u8,
-    day: codec.u8,
-    hour: codec.u8,
-    min: codec.u8,
-    sec: codec.u8,
-    msec: codec.u32,
-    valid_flags: UtcTimeFlags,
+export const UtcTime = /* @__PURE__ */ field.data("gnss_data.utc_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x08, (values, reader) => {
+    values.year = codec.u16(reader, 0);
+    values.month = codec.u8(reader, 2);
+    values.day = codec.u8(reader, 3);
+    values.hour = codec.u8(reader, 4);
+    values.min = codec.u8(reader, 5);
+    values.sec = codec.u8(reader, 6);
+    values.msec = codec.u32(reader, 7);
+    values.validFlags = codec.u16(reader, 11);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { year: 0x1, month: 0x1, day: 0x1, hour: 0x1, min: 0x1, sec: 0x1, msec: 0x1 } }),
 });
 
-export const GpsTime = /* @__PURE__ */ field.data("gnss_data.gps_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x09, {
-    tow: codec.double,
-    week_number: codec.u16,
-    valid_flags: GpsTimeFlags,
+export const GpsTime = /* @__PURE__ */ field.data("gnss_data.gps_time", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x09, (values, reader) => {
+    values.tow = codec.double(reader, 0);
+    values.weekNumber = codec.u16(reader, 8);
+    values.validFlags = codec.u16(reader, 10);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2 } }),
 });
 
-export const ClockInfo = /* @__PURE__ */ field.data("gnss_data.clock_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0a, {
-    bias: codec.double,
-    drift: codec.double,
-    accuracy_estimate: codec.double,
-    valid_flags: ClockInfoFlags,
+export const ClockInfo = /* @__PURE__ */ field.data("gnss_data.clock_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0a, (values, reader) => {
+    values.bias = codec.double(reader, 0);
+    values.drift = codec.double(reader, 8);
+    values.accuracyEstimate = codec.double(reader, 16);
+    values.validFlags = codec.u16(reader, 24);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1, drift: 0x2, accuracyEstimate: 0x4 } }),
 });
 
-export const FixInfo = /* @__PURE__ */ field.data("gnss_data.fix_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0b, {
-    fix_type: types.GnssFixType,
-    num_sv: codec.u8,
-    fix_flags: FixFlags,
-    valid_flags: FixInfoFlags,
+export const FixInfo = /* @__PURE__ */ field.data("gnss_data.fix_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0b, (values, reader) => {
+    values.fixType = codec.u8(reader, 0);
+    values.numSv = codec.u8(reader, 1);
+    values.fixFlags = codec.u16(reader, 2);
+    values.validFlags = codec.u16(reader, 4);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { fixType: 0x1, numSv: 0x2, fixFlags: 0x4 } }),
 });
 
-export const SvInfo = /* @__PURE__ */ field.data("gnss_data.sv_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0c, {
-    channel: codec.u8,
-    satellite_id: codec.u8,
-    carrier_noise_ratio: codec.u16,
-    azimuth: codec.s16,
-    elevation: codec.s16,
-    sv_flags: SvFlags,
-    valid_flags: SvInfoFlags,
+export const SvInfo = /* @__PURE__ */ field.data("gnss_data.sv_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0c, (values, reader) => {
+    values.channel = codec.u8(reader, 0);
+    values.satelliteId = codec.u8(reader, 1);
+    values.carrierNoiseRatio = codec.u16(reader, 2);
+    values.azimuth = codec.s16(reader, 4);
+    values.elevation = codec.s16(reader, 6);
+    values.svFlags = codec.u16(reader, 8);
+    values.validFlags = codec.u16(reader, 10);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { channel: 0x1, satelliteId: 0x2, carrierNoiseRatio: 0x4, azimuth: 0x8, elevation: 0x10, svFlags: 0x20 } }),
 });
 
-export const HardwareStatus = /* @__PURE__ */ field.data("gnss_data.hardware_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0d, {
-    receiver_state: ReceiverState,
-    antenna_state: AntennaState,
-    antenna_power: AntennaPower,
-    valid_flags: HardwareStatusFlags,
+export const HardwareStatus = /* @__PURE__ */ field.data("gnss_data.hardware_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0d, (values, reader) => {
+    values.receiverState = codec.u8(reader, 0);
+    values.antennaState = codec.u8(reader, 1);
+    values.antennaPower = codec.u8(reader, 2);
+    values.validFlags = codec.u16(reader, 3);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { receiverState: 0x1, antennaState: 0x2, antennaPower: 0x4 } }),
 });
 
-export const DgpsInfo = /* @__PURE__ */ field.data("gnss_data.dgps_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, {
-    age: codec.float,
-    base_station_id: codec.s16,
-    base_station_status: codec.s16,
-    num_channels: codec.u16,
-    valid_flags: DgpsInfoFlags,
+export const DgpsInfo = /* @__PURE__ */ field.data("gnss_data.dgps_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, (values, reader) => {
+    values.age = codec.float(reader, 0);
+    values.baseStationId = codec.s16(reader, 4);
+    values.baseStationStatus = codec.s16(reader, 6);
+    values.numChannels = codec.u16(reader, 8);
+    values.validFlags = codec.u16(reader, 10);
 }, {
     fits: [0, 14, []],
     VALID: /* @__PURE__ */ field.validity({ validFlags: { age: 0x1, baseStationId: 0x2, baseStationStatus: 0x4, numChannels: 0x8 } }),
 });
 
-export const DgpsInfoSatellite = /* @__PURE__ */ field.data("gnss_data.dgps_info_satellite", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, {
-    satellite_id: codec.u8,
-    age: codec.float,
-    range_correction: codec.float,
-    range_rate_correction: codec.float,
-    valid_flags: DgpsInfoFlags,
+export const DgpsInfoSatellite = /* @__PURE__ */ field.data("gnss_data.dgps_info_satellite", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0e, (values, reader) => {
+    values.satelliteId = codec.u8(reader, 0);
+    values.age = codec.float(reader, 1);
+    values.rangeCorrection = codec.float(reader, 5);
+    values.rangeRateCorrection = codec.float(reader, 9);
+    values.validFlags = codec.u16(reader, 13);
 }, {
     fits: [15, 253, []],
     VALID: /* @__PURE__ */ field.validity({ validFlags: { age: 0x1 } }),
 });
 
-export const DgpsChannel = /* @__PURE__ */ field.data("gnss_data.dgps_channel", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0f, {
-    satellite_id: codec.u8,
-    age: codec.float,
-    range_correction: codec.float,
-    range_rate_correction: codec.float,
-    valid_flags: DgpsChannelFlags,
+export const DgpsChannel = /* @__PURE__ */ field.data("gnss_data.dgps_channel", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x0f, (values, reader) => {
+    values.satelliteId = codec.u8(reader, 0);
+    values.age = codec.float(reader, 1);
+    values.rangeCorrection = codec.float(reader, 5);
+    values.rangeRateCorrection = codec.float(reader, 9);
+    values.validFlags = codec.u16(reader, 13);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { satelliteId: 0x1, age: 0x2, rangeCorrection: 0x4, rangeRateCorrection: 0x8 } }),
 });
 
-export const ClockInfo2 = /* @__PURE__ */ field.data("gnss_data.clock_info_2", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x10, {
-    bias: codec.double,
-    drift: codec.double,
-    bias_accuracy_estimate: codec.double,
-    drift_accuracy_estimate: codec.double,
-    valid_flags: ClockInfo2Flags,
+export const ClockInfo2 = /* @__PURE__ */ field.data("gnss_data.clock_info_2", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x10, (values, reader) => {
+    values.bias = codec.double(reader, 0);
+    values.drift = codec.double(reader, 8);
+    values.biasAccuracyEstimate = codec.double(reader, 16);
+    values.driftAccuracyEstimate = codec.double(reader, 24);
+    values.validFlags = codec.u16(reader, 32);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { bias: 0x1, drift: 0x2, biasAccuracyEstimate: 0x4, driftAccuracyEstimate: 0x8 } }),
 });
 
-export const GpsLeapSeconds = /* @__PURE__ */ field.data("gnss_data.gps_leap_seconds", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x11, {
-    leap_seconds: codec.u8,
-    valid_flags: GpsLeapSecondsFlags,
+export const GpsLeapSeconds = /* @__PURE__ */ field.data("gnss_data.gps_leap_seconds", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x11, (values, reader) => {
+    values.leapSeconds = codec.u8(reader, 0);
+    values.validFlags = codec.u16(reader, 1);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { leapSeconds: 0x2 } }),
 });
 
-export const SbasInfo = /* @__PURE__ */ field.data("gnss_data.sbas_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x12, {
-    tow: codec.double,
-    week_number: codec.u16,
-    sbas_system: SbasSystem,
-    sbas_id: codec.u8,
-    count: codec.u8,
-    sbas_status: SbasStatus,
-    valid_flags: SbasInfoFlags,
+export const SbasInfo = /* @__PURE__ */ field.data("gnss_data.sbas_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x12, (values, reader) => {
+    values.tow = codec.double(reader, 0);
+    values.weekNumber = codec.u16(reader, 8);
+    values.sbasSystem = codec.u8(reader, 10);
+    values.sbasId = codec.u8(reader, 11);
+    values.count = codec.u8(reader, 12);
+    values.sbasStatus = codec.u8(reader, 13);
+    values.validFlags = codec.u16(reader, 14);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, sbasSystem: 0x4, sbasId: 0x8, count: 0x10, sbasStatus: 0x20 } }),
 });
 
-export const SbasCorrection = /* @__PURE__ */ field.data("gnss_data.sbas_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x13, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    gnss_id: types.GnssConstellation,
-    satellite_id: codec.u8,
-    udrei: codec.u8,
-    pseudorange_correction: codec.float,
-    iono_correction: codec.float,
-    valid_flags: SbasCorrectionFlags,
+export const SbasCorrection = /* @__PURE__ */ field.data("gnss_data.sbas_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x13, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.gnssId = codec.u8(reader, 12);
+    values.satelliteId = codec.u8(reader, 13);
+    values.udrei = codec.u8(reader, 14);
+    values.pseudorangeCorrection = codec.float(reader, 15);
+    values.ionoCorrection = codec.float(reader, 19);
+    values.validFlags = codec.u16(reader, 23);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { udrei: 0x1, pseudorangeCorrection: 0x2, ionoCorrection: 0x4 } }),
 });
 
 export const RfErrorDetection = /* @__PURE__ */ field.data("gnss_data.rf_error_detection", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x14, {
-    rf_band: RfBand,
-    jamming_state: JammingState,
-    spoofing_state: SpoofingState,
+    rfBand: RfBand,
+    jammingState: JammingState,
+    spoofingState: SpoofingState,
     frequency: codec.u16,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u8, 0), 2), Array(2).fill(0)),
-    valid_flags: RfErrorDetectionFlags,
+    validFlags: RfErrorDetectionFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { rfBand: 0x1, jammingState: 0x2, spoofingState: 0x4, frequency: 0x8 } }),
 });
 
-export const Heading = /* @__PURE__ */ field.data("gnss_data.heading", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x15, {
-    heading: codec.float,
-    uncertainty: codec.float,
-    fix_type: HeadingFixType,
-    valid_flags: HeadingFlags,
+export const Heading = /* @__PURE__ */ field.data("gnss_data.heading", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x15, (values, reader) => {
+    values.heading = codec.float(reader, 0);
+    values.uncertainty = codec.float(reader, 4);
+    values.fixType = codec.u8(reader, 8);
+    values.validFlags = codec.u16(reader, 9);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { heading: 0x1, uncertainty: 0x2, fixType: 0x4 } }),
 });
 
-export const SatelliteStatus = /* @__PURE__ */ field.data("gnss_data.satellite_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x20, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    gnss_id: types.GnssConstellation,
-    satellite_id: codec.u8,
-    elevation: codec.float,
-    azimuth: codec.float,
-    health: codec.bool,
-    valid_flags: SatelliteStatusFlags,
+export const SatelliteStatus = /* @__PURE__ */ field.data("gnss_data.satellite_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x20, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.gnssId = codec.u8(reader, 12);
+    values.satelliteId = codec.u8(reader, 13);
+    values.elevation = codec.float(reader, 14);
+    values.azimuth = codec.float(reader, 18);
+    values.health = codec.bool(reader, 22);
+    values.validFlags = codec.u16(reader, 23);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, gnssId: 0x4, satelliteId: 0x8, elevation: 0x10, azimuth: 0x20, health: 0x40 } }),
 });
 
-export const Raw = /* @__PURE__ */ field.data("gnss_data.raw", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x22, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    receiver_id: codec.u16,
-    tracking_channel: codec.u8,
-    gnss_id: types.GnssConstellation,
-    satellite_id: codec.u8,
-    signal_id: types.GnssSignal,
-    signal_strength: codec.float,
-    quality: SignalQuality,
-    pseudorange: codec.double,
-    carrier_phase: codec.double,
-    doppler: codec.float,
-    range_uncertainty: codec.float,
-    phase_uncertainty: codec.float,
-    doppler_uncertainty: codec.float,
-    lock_time: codec.float,
-    valid_flags: RawFlags,
+export const Raw = /* @__PURE__ */ field.data("gnss_data.raw", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x22, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.receiverId = codec.u16(reader, 12);
+    values.trackingChannel = codec.u8(reader, 14);
+    values.gnssId = codec.u8(reader, 15);
+    values.satelliteId = codec.u8(reader, 16);
+    values.signalId = codec.u8(reader, 17);
+    values.signalStrength = codec.float(reader, 18);
+    values.quality = codec.u8(reader, 22);
+    values.pseudorange = codec.double(reader, 23);
+    values.carrierPhase = codec.double(reader, 31);
+    values.doppler = codec.float(reader, 39);
+    values.rangeUncertainty = codec.float(reader, 43);
+    values.phaseUncertainty = codec.float(reader, 47);
+    values.dopplerUncertainty = codec.float(reader, 51);
+    values.lockTime = codec.float(reader, 55);
+    values.validFlags = codec.u16(reader, 59);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, receiverId: 0x4, trackingChannel: 0x8, gnssId: 0x10, satelliteId: 0x20, signalId: 0x40, signalStrength: 0x80, quality: 0x100, pseudorange: 0x200, carrierPhase: 0x400, doppler: 0x800, rangeUncertainty: 0x1000, phaseUncertainty: 0x2000, dopplerUncertainty: 0x4000, lockTime: 0x8000 } }),
 });
 
-export const BaseStationInfo = /* @__PURE__ */ field.data("gnss_data.base_station_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x30, {
-    tow: codec.double,
-    week_number: codec.u16,
-    ecef_position: types.Vector3d,
-    height: codec.float,
-    station_id: codec.u16,
-    indicators: BaseStationIndicators,
-    valid_flags: BaseStationInfoFlags,
+export const BaseStationInfo = /* @__PURE__ */ field.data("gnss_data.base_station_info", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x30, (values, reader) => {
+    values.tow = codec.double(reader, 0);
+    values.weekNumber = codec.u16(reader, 8);
+    values.ecefPosition = types.Vector3d(reader, 10);
+    values.height = codec.float(reader, 34);
+    values.stationId = codec.u16(reader, 38);
+    values.indicators = codec.u16(reader, 40);
+    values.validFlags = codec.u16(reader, 42);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, ecefPosition: 0x4, height: 0x8, stationId: 0x10, indicators: 0x20 } }),
 });
 
 export const RtkCorrectionsStatus = /* @__PURE__ */ field.data("gnss_data.rtk_corrections_status", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x31, {
     tow: codec.double,
-    week_number: codec.u16,
-    epoch_status: RtkEpochStatus,
-    dongle_status: types.RtkStatusFlags,
-    gps_correction_latency: codec.float,
-    glonass_correction_latency: codec.float,
-    galileo_correction_latency: codec.float,
-    beidou_correction_latency: codec.float,
+    weekNumber: codec.u16,
+    epochStatus: RtkEpochStatus,
+    dongleStatus: types.RtkStatusFlags,
+    gpsCorrectionLatency: codec.float,
+    glonassCorrectionLatency: codec.float,
+    galileoCorrectionLatency: codec.float,
+    beidouCorrectionLatency: codec.float,
     reserved: /* @__PURE__ */ codec.reserved(/* @__PURE__ */ codec.array(/* @__PURE__ */ codec.reserved(codec.u32, 0), 4), Array(4).fill(0)),
-    valid_flags: RtkCorrectionsStatusFlags,
+    validFlags: RtkCorrectionsStatusFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, epochStatus: 0x4, dongleStatus: 0x8, gpsCorrectionLatency: 0x10, glonassCorrectionLatency: 0x20, galileoCorrectionLatency: 0x40, beidouCorrectionLatency: 0x80 } }),
 });
 
-export const GpsEphemeris = /* @__PURE__ */ field.data("gnss_data.gps_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x61, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    satellite_id: codec.u8,
-    health: codec.u8,
-    iodc: codec.u8,
-    iode: codec.u8,
-    t_oc: codec.double,
-    af0: codec.double,
-    af1: codec.double,
-    af2: codec.double,
-    t_gd: codec.double,
-    isc_l1ca: codec.double,
-    isc_l2c: codec.double,
-    t_oe: codec.double,
-    a: codec.double,
-    a_dot: codec.double,
-    mean_anomaly: codec.double,
-    delta_mean_motion: codec.double,
-    delta_mean_motion_dot: codec.double,
-    eccentricity: codec.double,
-    argument_of_perigee: codec.double,
-    omega: codec.double,
-    omega_dot: codec.double,
-    inclination: codec.double,
-    inclination_dot: codec.double,
-    c_ic: codec.double,
-    c_is: codec.double,
-    c_uc: codec.double,
-    c_us: codec.double,
-    c_rc: codec.double,
-    c_rs: codec.double,
-    valid_flags: EphemerisFlags,
+export const GpsEphemeris = /* @__PURE__ */ field.data("gnss_data.gps_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x61, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.satelliteId = codec.u8(reader, 12);
+    values.health = codec.u8(reader, 13);
+    values.iodc = codec.u8(reader, 14);
+    values.iode = codec.u8(reader, 15);
+    values.tOc = codec.double(reader, 16);
+    values.af0 = codec.double(reader, 24);
+    values.af1 = codec.double(reader, 32);
+    values.af2 = codec.double(reader, 40);
+    values.tGd = codec.double(reader, 48);
+    values.iscL1ca = codec.double(reader, 56);
+    values.iscL2c = codec.double(reader, 64);
+    values.tOe = codec.double(reader, 72);
+    values.a = codec.double(reader, 80);
+    values.aDot = codec.double(reader, 88);
+    values.meanAnomaly = codec.double(reader, 96);
+    values.deltaMeanMotion = codec.double(reader, 104);
+    values.deltaMeanMotionDot = codec.double(reader, 112);
+    values.eccentricity = codec.double(reader, 120);
+    values.argumentOfPerigee = codec.double(reader, 128);
+    values.omega = codec.double(reader, 136);
+    values.omegaDot = codec.double(reader, 144);
+    values.inclination = codec.double(reader, 152);
+    values.inclinationDot = codec.double(reader, 160);
+    values.cIc = codec.double(reader, 168);
+    values.cIs = codec.double(reader, 176);
+    values.cUc = codec.double(reader, 184);
+    values.cUs = codec.double(reader, 192);
+    values.cRc = codec.double(reader, 200);
+    values.cRs = codec.double(reader, 208);
+    values.validFlags = codec.u16(reader, 216);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { health: 0x1, iodc: 0x1, iode: 0x1, tOc: 0x1, af0: 0x1, af1: 0x1, af2: 0x1, tGd: 0x1, iscL1ca: 0x1, iscL2c: 0x1, tOe: 0x1, a: 0x1, aDot: 0x1, meanAnomaly: 0x1, deltaMeanMotion: 0x1, deltaMeanMotionDot: 0x1, eccentricity: 0x1, argumentOfPerigee: 0x1, omega: 0x1, omegaDot: 0x1, inclination: 0x1, inclinationDot: 0x1, cIc: 0x1, cIs: 0x1, cUc: 0x1, cUs: 0x1, cRc: 0x1, cRs: 0x1 } }),
 });
 
-export const GlonassEphemeris = /* @__PURE__ */ field.data("gnss_data.glonass_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x62, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    satellite_id: codec.u8,
-    frequency_number: codec.s8,
-    tk: codec.u32,
-    tb: codec.u32,
-    satellite_type: GlonassSatelliteType,
-    gamma: codec.double,
-    tau_n: codec.double,
-    position: types.Vector3d,
-    velocity: types.Vector3f,
-    accel: types.Vector3f,
-    health: codec.u8,
-    p: codec.u8,
-    nt: codec.u8,
-    delta_tau_n: codec.float,
-    ft: codec.u8,
-    en: codec.u8,
-    p1: codec.u8,
-    p2: codec.u8,
-    p3: codec.u8,
-    p4: codec.u8,
-    valid_flags: GlonassEphemerisFlags,
+export const GlonassEphemeris = /* @__PURE__ */ field.data("gnss_data.glonass_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x62, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.satelliteId = codec.u8(reader, 12);
+    values.frequencyNumber = codec.s8(reader, 13);
+    values.tk = codec.u32(reader, 14);
+    values.tb = codec.u32(reader, 18);
+    values.satelliteType = codec.u8(reader, 22);
+    values.gamma = codec.double(reader, 23);
+    values.tauN = codec.double(reader, 31);
+    values.position = types.Vector3d(reader, 39);
+    values.velocity = types.Vector3f(reader, 63);
+    values.accel = types.Vector3f(reader, 75);
+    values.health = codec.u8(reader, 87);
+    values.p = codec.u8(reader, 88);
+    values.nt = codec.u8(reader, 89);
+    values.deltaTauN = codec.float(reader, 90);
+    values.ft = codec.u8(reader, 94);
+    values.en = codec.u8(reader, 95);
+    values.p1 = codec.u8(reader, 96);
+    values.p2 = codec.u8(reader, 97);
+    values.p3 = codec.u8(reader, 98);
+    values.p4 = codec.u8(reader, 99);
+    values.validFlags = codec.u16(reader, 100);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { frequencyNumber: 0x1, tk: 0x1, tb: 0x1, satelliteType: 0x1, gamma: 0x1, tauN: 0x1, position: 0x1, velocity: 0x1, accel: 0x1, health: 0x1, p: 0x1, nt: 0x1, deltaTauN: 0x1, ft: 0x1, en: 0x1, p1: 0x1, p2: 0x1, p3: 0x1, p4: 0x1 } }),
 });
 
-export const GalileoEphemeris = /* @__PURE__ */ field.data("gnss_data.galileo_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x63, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    satellite_id: codec.u8,
-    health: codec.u8,
-    iodc: codec.u8,
-    iode: codec.u8,
-    t_oc: codec.double,
-    af0: codec.double,
-    af1: codec.double,
-    af2: codec.double,
-    t_gd: codec.double,
-    isc_l1ca: codec.double,
-    isc_l2c: codec.double,
-    t_oe: codec.double,
-    a: codec.double,
-    a_dot: codec.double,
-    mean_anomaly: codec.double,
-    delta_mean_motion: codec.double,
-    delta_mean_motion_dot: codec.double,
-    eccentricity: codec.double,
-    argument_of_perigee: codec.double,
-    omega: codec.double,
-    omega_dot: codec.double,
-    inclination: codec.double,
-    inclination_dot: codec.double,
-    c_ic: codec.double,
-    c_is: codec.double,
-    c_uc: codec.double,
-    c_us: codec.double,
-    c_rc: codec.double,
-    c_rs: codec.double,
-    valid_flags: EphemerisFlags,
+export const GalileoEphemeris = /* @__PURE__ */ field.data("gnss_data.galileo_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x63, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.satelliteId = codec.u8(reader, 12);
+    values.health = codec.u8(reader, 13);
+    values.iodc = codec.u8(reader, 14);
+    values.iode = codec.u8(reader, 15);
+    values.tOc = codec.double(reader, 16);
+    values.af0 = codec.double(reader, 24);
+    values.af1 = codec.double(reader, 32);
+    values.af2 = codec.double(reader, 40);
+    values.tGd = codec.double(reader, 48);
+    values.iscL1ca = codec.double(reader, 56);
+    values.iscL2c = codec.double(reader, 64);
+    values.tOe = codec.double(reader, 72);
+    values.a = codec.double(reader, 80);
+    values.aDot = codec.double(reader, 88);
+    values.meanAnomaly = codec.double(reader, 96);
+    values.deltaMeanMotion = codec.double(reader, 104);
+    values.deltaMeanMotionDot = codec.double(reader, 112);
+    values.eccentricity = codec.double(reader, 120);
+    values.argumentOfPerigee = codec.double(reader, 128);
+    values.omega = codec.double(reader, 136);
+    values.omegaDot = codec.double(reader, 144);
+    values.inclination = codec.double(reader, 152);
+    values.inclinationDot = codec.double(reader, 160);
+    values.cIc = codec.double(reader, 168);
+    values.cIs = codec.double(reader, 176);
+    values.cUc = codec.double(reader, 184);
+    values.cUs = codec.double(reader, 192);
+    values.cRc = codec.double(reader, 200);
+    values.cRs = codec.double(reader, 208);
+    values.validFlags = codec.u16(reader, 216);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { health: 0x1, iodc: 0x1, iode: 0x1, tOc: 0x1, af0: 0x1, af1: 0x1, af2: 0x1, tGd: 0x1, iscL1ca: 0x1, iscL2c: 0x1, tOe: 0x1, a: 0x1, aDot: 0x1, meanAnomaly: 0x1, deltaMeanMotion: 0x1, deltaMeanMotionDot: 0x1, eccentricity: 0x1, argumentOfPerigee: 0x1, omega: 0x1, omegaDot: 0x1, inclination: 0x1, inclinationDot: 0x1, cIc: 0x1, cIs: 0x1, cUc: 0x1, cUs: 0x1, cRc: 0x1, cRs: 0x1 } }),
 });
 
-export const BeidouEphemeris = /* @__PURE__ */ field.data("gnss_data.beidou_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x64, {
-    index: codec.u8,
-    count: codec.u8,
-    tow: codec.double,
-    week_number: codec.u16,
-    satellite_id: codec.u8,
-    health: codec.u8,
-    iodc: codec.u8,
-    iode: codec.u8,
-    t_oc: codec.double,
-    af0: codec.double,
-    af1: codec.double,
-    af2: codec.double,
-    t_gd: codec.double,
-    isc_l1ca: codec.double,
-    isc_l2c: codec.double,
-    t_oe: codec.double,
-    a: codec.double,
-    a_dot: codec.double,
-    mean_anomaly: codec.double,
-    delta_mean_motion: codec.double,
-    delta_mean_motion_dot: codec.double,
-    eccentricity: codec.double,
-    argument_of_perigee: codec.double,
-    omega: codec.double,
-    omega_dot: codec.double,
-    inclination: codec.double,
-    inclination_dot: codec.double,
-    c_ic: codec.double,
-    c_is: codec.double,
-    c_uc: codec.double,
-    c_us: codec.double,
-    c_rc: codec.double,
-    c_rs: codec.double,
-    valid_flags: EphemerisFlags,
+export const BeidouEphemeris = /* @__PURE__ */ field.data("gnss_data.beidou_ephemeris", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x64, (values, reader) => {
+    values.index = codec.u8(reader, 0);
+    values.count = codec.u8(reader, 1);
+    values.tow = codec.double(reader, 2);
+    values.weekNumber = codec.u16(reader, 10);
+    values.satelliteId = codec.u8(reader, 12);
+    values.health = codec.u8(reader, 13);
+    values.iodc = codec.u8(reader, 14);
+    values.iode = codec.u8(reader, 15);
+    values.tOc = codec.double(reader, 16);
+    values.af0 = codec.double(reader, 24);
+    values.af1 = codec.double(reader, 32);
+    values.af2 = codec.double(reader, 40);
+    values.tGd = codec.double(reader, 48);
+    values.iscL1ca = codec.double(reader, 56);
+    values.iscL2c = codec.double(reader, 64);
+    values.tOe = codec.double(reader, 72);
+    values.a = codec.double(reader, 80);
+    values.aDot = codec.double(reader, 88);
+    values.meanAnomaly = codec.double(reader, 96);
+    values.deltaMeanMotion = codec.double(reader, 104);
+    values.deltaMeanMotionDot = codec.double(reader, 112);
+    values.eccentricity = codec.double(reader, 120);
+    values.argumentOfPerigee = codec.double(reader, 128);
+    values.omega = codec.double(reader, 136);
+    values.omegaDot = codec.double(reader, 144);
+    values.inclination = codec.double(reader, 152);
+    values.inclinationDot = codec.double(reader, 160);
+    values.cIc = codec.double(reader, 168);
+    values.cIs = codec.double(reader, 176);
+    values.cUc = codec.double(reader, 184);
+    values.cUs = codec.double(reader, 192);
+    values.cRc = codec.double(reader, 200);
+    values.cRs = codec.double(reader, 208);
+    values.validFlags = codec.u16(reader, 216);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { health: 0x1, iodc: 0x1, iode: 0x1, tOc: 0x1, af0: 0x1, af1: 0x1, af2: 0x1, tGd: 0x1, iscL1ca: 0x1, iscL2c: 0x1, tOe: 0x1, a: 0x1, aDot: 0x1, meanAnomaly: 0x1, deltaMeanMotion: 0x1, deltaMeanMotionDot: 0x1, eccentricity: 0x1, argumentOfPerigee: 0x1, omega: 0x1, omegaDot: 0x1, inclination: 0x1, inclinationDot: 0x1, cIc: 0x1, cIs: 0x1, cUc: 0x1, cUs: 0x1, cRc: 0x1, cRs: 0x1 } }),
 });
 
 export const GpsIonoCorrection = /* @__PURE__ */ field.data("gnss_data.gps_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x71, {
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     alpha: /* @__PURE__ */ codec.array(codec.double, 4),
     beta: /* @__PURE__ */ codec.array(codec.double, 4),
-    valid_flags: GpsIonoCorrectionFlags,
+    validFlags: GpsIonoCorrectionFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, alpha: 0x4, beta: 0x8 } }),
 });
 
 export const GalileoIonoCorrection = /* @__PURE__ */ field.data("gnss_data.galileo_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x73, {
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     alpha: /* @__PURE__ */ codec.array(codec.double, 3),
-    disturbance_flags: codec.u8,
-    valid_flags: GalileoIonoCorrectionFlags,
+    disturbanceFlags: codec.u8,
+    validFlags: GalileoIonoCorrectionFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, alpha: 0x4, disturbanceFlags: 0x8 } }),
 });
 
 export const BeidouIonoCorrection = /* @__PURE__ */ field.data("gnss_data.beidou_iono_correction", [0x81, 0x91, 0x92, 0x93, 0x94, 0x95], 0x74, {
     tow: codec.double,
-    week_number: codec.u16,
+    weekNumber: codec.u16,
     alpha: /* @__PURE__ */ codec.array(codec.double, 4),
     beta: /* @__PURE__ */ codec.array(codec.double, 4),
-    alpha_correction: /* @__PURE__ */ codec.array(codec.double, 9),
-    valid_flags: BeidouIonoCorrectionFlags,
+    alphaCorrection: /* @__PURE__ */ codec.array(codec.double, 9),
+    validFlags: BeidouIonoCorrectionFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x1, weekNumber: 0x2, alpha: 0x4, beta: 0x8, alphaCorrection: 0x10 } }),
 });

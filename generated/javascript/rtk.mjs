@@ -45,28 +45,28 @@ export const GetIccidResponse = /* @__PURE__ */ field.response("rtk.get_iccid_re
 export const GetRssiResponse = /* @__PURE__ */ field.response("rtk.get_rssi_response", 0x0f, 0x85, {
     valid: codec.bool,
     rssi: codec.s32,
-    signal_quality: codec.s32,
+    signalQuality: codec.s32,
 }, {
     VALID: /* @__PURE__ */ field.validity({ valid: { rssi: 0x0, signalQuality: 0x0 } }),
 });
 
 export const ConnectedDeviceTypeResponse = /* @__PURE__ */ field.response("rtk.connected_device_type_response", 0x0f, 0x86, {
-    device_type: ConnectedDevice,
+    deviceType: ConnectedDevice,
 });
 
 export const GetActivationCodeResponse = /* @__PURE__ */ field.response("rtk.get_activation_code_response", 0x0f, 0x87, {
-    activation_code: /* @__PURE__ */ codec.text(32),
+    activationCode: /* @__PURE__ */ codec.text(32),
 });
 
 export const GetModemFirmwareVersionResponse = /* @__PURE__ */ field.response("rtk.get_modem_firmware_version_response", 0x0f, 0x88, {
-    modem_firmware_version: /* @__PURE__ */ codec.text(32),
+    modemFirmwareVersion: /* @__PURE__ */ codec.text(32),
 });
 
 export const ServiceStatusResponse = /* @__PURE__ */ field.response("rtk.service_status_response", 0x0f, 0x8a, {
     flags: ServiceFlags,
-    received_bytes: codec.u32,
-    last_bytes: codec.u32,
-    last_bytes_time: codec.u64,
+    receivedBytes: codec.u32,
+    lastBytes: codec.u32,
+    lastBytesTime: codec.u64,
 });
 
 export const GetStatusFlags = /* @__PURE__ */ field.command("rtk.get_status_flags", 0x0f, 0x01, {}, {
@@ -91,9 +91,9 @@ export const GetRssi = /* @__PURE__ */ field.command("rtk.get_rssi", 0x0f, 0x05,
 
 export const ConnectedDeviceType = /* @__PURE__ */ field.command("rtk.connected_device_type", 0x0f, 0x06, {
     function: FunctionSelector,
-    device_type: ConnectedDevice,
+    deviceType: ConnectedDevice,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [ConnectedDeviceTypeResponse]]],
 });
 
@@ -117,8 +117,8 @@ export const EraseStorage = /* @__PURE__ */ field.command("rtk.erase_storage", 0
 });
 
 export const LedControl = /* @__PURE__ */ field.command("rtk.led_control", 0x0f, 0x21, {
-    primary_color: /* @__PURE__ */ codec.array(codec.u8, 3),
-    alternate_color: /* @__PURE__ */ codec.array(codec.u8, 3),
+    primaryColor: /* @__PURE__ */ codec.array(codec.u8, 3),
+    alternateColor: /* @__PURE__ */ codec.array(codec.u8, 3),
     action: LedAction,
     period: codec.u32,
 });

@@ -21,8 +21,8 @@ export const ProtocolMode = /* @__PURE__ */ codec.enumeration(codec.u8, {
 
 export const InterfaceControlResponse = /* @__PURE__ */ field.response("system.interface_control_response", 0x7f, 0x82, {
     port: types.CommInterface,
-    protocols_incoming: CommProtocols,
-    protocols_outgoing: CommProtocols,
+    protocolsIncoming: CommProtocols,
+    protocolsOutgoing: CommProtocols,
 });
 
 export const CommModeResponse = /* @__PURE__ */ field.response("system.comm_mode_response", 0x7f, 0x90, {
@@ -32,10 +32,10 @@ export const CommModeResponse = /* @__PURE__ */ field.response("system.comm_mode
 export const InterfaceControl = /* @__PURE__ */ field.command("system.interface_control", 0x7f, 0x02, {
     function: FunctionSelector,
     port: types.CommInterface,
-    protocols_incoming: CommProtocols,
-    protocols_outgoing: CommProtocols,
+    protocolsIncoming: CommProtocols,
+    protocolsOutgoing: CommProtocols,
 }, {
-    calls: { 1: 3, 2: 1, 3: 1, 4: 1, 5: 1 },
+    calls: [, 3, 1, 1, 1, 1],
     REPLIES: [[[2], [], [InterfaceControlResponse]]],
 });
 
@@ -43,6 +43,6 @@ export const CommMode = /* @__PURE__ */ field.command("system.comm_mode", 0x7f, 
     function: FunctionSelector,
     mode: ProtocolMode,
 }, {
-    calls: { 1: 1, 2: 0, 3: 0, 4: 0, 5: 0 },
+    calls: [, 1, 0, 0, 0, 0],
     REPLIES: [[[2], [], [CommModeResponse]]],
 });

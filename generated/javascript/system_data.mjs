@@ -16,16 +16,16 @@ export const BuiltInTest = /* @__PURE__ */ field.data("system_data.built_in_test
     result: /* @__PURE__ */ codec.array(codec.u8, 16),
 });
 
-export const TimeSyncStatus = /* @__PURE__ */ field.data("system_data.time_sync_status", 0xa0, 0x02, {
-    time_sync: codec.bool,
-    last_pps_received: codec.u8,
+export const TimeSyncStatus = /* @__PURE__ */ field.data("system_data.time_sync_status", 0xa0, 0x02, (values, reader) => {
+    values.timeSync = codec.bool(reader, 0);
+    values.lastPpsReceived = codec.u8(reader, 1);
 });
 
-export const GpioState = /* @__PURE__ */ field.data("system_data.gpio_state", 0xa0, 0x03, {
-    states: GpioPinStates,
+export const GpioState = /* @__PURE__ */ field.data("system_data.gpio_state", 0xa0, 0x03, (values, reader) => {
+    values.states = codec.u8(reader, 0);
 });
 
-export const GpioAnalogValue = /* @__PURE__ */ field.data("system_data.gpio_analog_value", 0xa0, 0x04, {
-    gpio_id: codec.u8,
-    value: codec.float,
+export const GpioAnalogValue = /* @__PURE__ */ field.data("system_data.gpio_analog_value", 0xa0, 0x04, (values, reader) => {
+    values.gpioId = codec.u8(reader, 0);
+    values.value = codec.float(reader, 1);
 });

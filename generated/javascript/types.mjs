@@ -212,26 +212,26 @@ export const EventTriggerGpio = /* @__PURE__ */ codec.struct({
 });
 
 export const EventThresholdWindow = /* @__PURE__ */ codec.struct({
-    low_threshold: codec.double,
-    high_threshold: codec.double,
+    lowThreshold: codec.double,
+    highThreshold: codec.double,
 });
 
 export const EventThresholdInterval = /* @__PURE__ */ codec.struct({
-    interval_threshold: codec.double,
+    intervalThreshold: codec.double,
     interval: codec.double,
 });
 
 export const EventTriggerThreshold = /* @__PURE__ */ codec.struct({
-    descriptor_set: codec.u8,
-    field_descriptor: codec.u8,
-    parameter_id: codec.u8,
+    descriptorSet: codec.u8,
+    fieldDescriptor: codec.u8,
+    parameterId: codec.u8,
     type: EventThresholdType,
     thresholds: /* @__PURE__ */ codec.union("type", [[1, "window", EventThresholdWindow], [2, "interval", EventThresholdInterval]]),
 });
 
 export const EventTriggerCombination = /* @__PURE__ */ codec.struct({
-    logic_table: codec.u16,
-    input_triggers: /* @__PURE__ */ codec.array(codec.u8, 4),
+    logicTable: codec.u16,
+    inputTriggers: /* @__PURE__ */ codec.array(codec.u8, 4),
 });
 
 export const EventActionGpio = /* @__PURE__ */ codec.struct({
@@ -240,10 +240,10 @@ export const EventActionGpio = /* @__PURE__ */ codec.struct({
 });
 
 export const EventActionMessage = /* @__PURE__ */ codec.struct({
-    descriptor_set: codec.u8,
+    descriptorSet: codec.u8,
     decimation: codec.u16,
-    num_fields: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
-    descriptors: /* @__PURE__ */ codec.counted("num_fields", codec.u8, 249),
+    numFields: /* @__PURE__ */ codec.counter(codec.u8, "descriptors"),
+    descriptors: /* @__PURE__ */ codec.counted("numFields", codec.u8, 249),
 });
 
 export const GnssConstellation = /* @__PURE__ */ codec.enumeration(codec.u8, {
@@ -405,9 +405,9 @@ export const NmeaTalkerId = /* @__PURE__ */ codec.enumeration(codec.u8, {
 });
 
 export const NmeaMessage = /* @__PURE__ */ codec.struct({
-    message_id: NmeaMessageId,
-    talker_id: NmeaTalkerId,
-    source_descriptor_set: codec.u8,
+    messageId: NmeaMessageId,
+    talkerId: NmeaTalkerId,
+    sourceDescriptorSet: codec.u8,
     decimation: codec.u16,
 });
 
@@ -448,17 +448,32 @@ export const RtkStatusFlagsLegacy = /* @__PURE__ */ codec.bitfield(codec.u32, {
     SINR: [30, 31],
 });
 
-export const Vector3f = /* @__PURE__ */ codec.array(codec.float, 3);
+export const Vector3f = /* @__PURE__ */ codec.vector((reader, at) => [codec.float(reader, at), codec.float(reader, at + 4), codec.float(reader, at + 8)]);
 
-export const Vector3d = /* @__PURE__ */ codec.array(codec.double, 3);
+export const Vector3d = /* @__PURE__ */ codec.vector((reader, at) => [codec.double(reader, at), codec.double(reader, at + 8), codec.double(reader, at + 16)]);
 
-export const Ned3f = /* @__PURE__ */ codec.array(codec.float, 3);
+export const Ned3f = /* @__PURE__ */ codec.vector((reader, at) => [codec.float(reader, at), codec.float(reader, at + 4), codec.float(reader, at + 8)]);
 
-export const Ned3d = /* @__PURE__ */ codec.array(codec.double, 3);
+export const Ned3d = /* @__PURE__ */ codec.vector((reader, at) => [codec.double(reader, at), codec.double(reader, at + 8), codec.double(reader, at + 16)]);
 
-export const Matrix3f = /* @__PURE__ */ codec.array(codec.float, 9);
+export const Matrix3f = /* @__PURE__ */ codec.vector((reader, at) => [
+    codec.float(reader, at),
+    codec.float(reader, at + 4),
+    codec.float(reader, at + 8),
+    codec.float(reader, at + 12),
+    codec.float(reader, at + 16),
+    codec.float(reader, at + 20),
+    codec.float(reader, at + 24),
+    codec.float(reader, at + 28),
+    codec.float(reader, at + 32),
+]);
 
-export const Quatf = /* @__PURE__ */ codec.array(codec.float, 4);
+export const Quatf = /* @__PURE__ */ codec.vector((reader, at) => [
+    codec.float(reader, at),
+    codec.float(reader, at + 4),
+    codec.float(reader, at + 8),
+    codec.float(reader, at + 12),
+]);
 
 export const AckCode = /* @__PURE__ */ codec.enumeration(codec.u8, {
     OK: 0,

@@ -10,6 +10,7 @@ import bench_c_board
 import bench_c_peer
 import bench_columns
 import bench_generate
+import bench_javascript
 import bench_rust
 
 ROOT = Path(__file__).parents[2]
@@ -21,7 +22,7 @@ PEER = ROOT / "docs/parts/bench_c_peer.md"
 def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--readme", action="store_true")
-    arguments.add_argument("--part", choices=("generate", "c", "columns"), help="this part only")
+    arguments.add_argument("--part", choices=("generate", "c", "columns", "javascript"), help="this part only")
     arguments.add_argument("--peer", type=Path, help="a folder of the vendor's SDK: C beside it only")
     given = arguments.parse_args()
     if given.part == "generate":
@@ -29,6 +30,9 @@ def main() -> None:
         return
     if given.part == "columns":
         print(bench_columns.report())
+        return
+    if given.part == "javascript":
+        print(bench_javascript.report())
         return
     if given.peer:
         text = bench_c_peer.report(given.peer) + bench_c_board.report(given.peer, bench_c_peer.name(given.peer))
@@ -46,6 +50,7 @@ def main() -> None:
         return
     print(bench_rust.report())
     print(bench_columns.report())
+    print(bench_javascript.report())
 
 
 if __name__ == "__main__":

@@ -2,8 +2,8 @@
 //
 //     driver.mjs GENERATED_FOLDER
 //
-// Values have the names of the specification: classes read and write them in the plain form, which tools use. Their
-// objects are checked for each field, too: they must encode to the bytes from which they were decoded.
+// Values have the names of the specification: classes read and write them in the plain form, which tools use, and members
+// are renamed. Objects are checked for each field, too: they must encode to the bytes from which they were decoded.
 import path from "node:path";
 import readline from "node:readline";
 import { pathToFileURL } from "node:url";
@@ -13,7 +13,7 @@ const load = (name) => import(pathToFileURL(path.join(folder, name)));
 const { Client, Command, fromHex, MipError, Packet, packetOf, Parser, toHex } = await load("mip/index.mjs");
 const { encoded, Reader } = await load("mip/codec.mjs");
 const { registry } = await load("registry.mjs");
-const { nameIn, Protocol } = await load("mip/tools.mjs");
+const { memberName, nameIn, Protocol } = await load("mip/tools.mjs");
 const { default: model } = await load("model.mjs");
 const protocol = new Protocol(model); // for names only: what a field is called in one of several sets
 
@@ -29,6 +29,29 @@ const bytesOf = (text) => {
 };
 
 const nameOf = (kind, set) => nameIn(protocol.field(kind.NAME), set);
+
+/** Yields the names of all parameters within a field or a structure. */
+function* namesIn({ parameters }) {
+    for (const { name, type, cases = [] } of parameters) {
+        const within = cases.flatMap(({ parameter }) => parameter ?? []);
+        yield name;
+        yield* namesIn({ parameters: within });
+        if (protocol.types.get(type)?.kind === "struct") yield* namesIn(protocol.types.get(type));
+    }
+}
+
+/** Returns values with the members as names, or the names as members. */
+function renamed(kind, values, names) {
+    const pairs = [...namesIn(protocol.field(kind.NAME))].map((name) => [name, memberName(name)]);
+    const found = new Map(pairs.map(([name, member]) => (names ? [name, member] : [member, name])));
+    const walk = (value) => {
+        if (Array.isArray(value)) return value.map(walk);
+        if (typeof value !== "object" || value === null) return value;
+        const entries = Object.entries(value).map(([key, inner]) => [found.get(key) ?? `no ${key}`, walk(inner)]);
+        return Object.fromEntries(entries);
+    };
+    return walk(values);
+}
 
 // ---------------------------------------------------------------------------------------------------- the codec
 
@@ -58,6 +81,7 @@ function fieldsOf(packet) {
     }
     const listed = registry.decode(packet);
     if (listed.length !== shown.filter(({ descriptor }) => descriptor !== undefined).length) throw new Error("fields are missing");
+    if (listed.some(({ set }) => set !== packet.set)) throw new Error("a field has another set");
     return shown;
 }
 
@@ -66,7 +90,7 @@ function decoded({ set, descriptor, data }) {
     if (!kind) return { descriptor, raw: toHex(data) };
     try {
         const reader = new Reader(data, { plain: true, floatBits: true });
-        const values = { ...kind.readFrom(reader) };
+        const values = renamed(kind, kind.layout.decode(reader, 0, data.length, set));
         const { field, trailing } = kind.decodeWithTrailing(data);
         const again = field.encode();
         if (trailing !== reader.left || toHex(again) !== toHex(data.subarray(0, again.length)) || again.length + trailing !== data.length)
@@ -96,8 +120,8 @@ function kindOf(set, descriptor, name) {
 }
 
 function dataOf(kind, values) {
-    const required = kind.REQUIRED && 1 + (kind.REQUIRED[Number(values.function)] ?? 0);
-    return encoded(kind.layout, kind.NAME, values, { plain: true, required });
+    const required = kind.layout.required(Number(values.function));
+    return encoded(kind.layout, kind.NAME, renamed(kind, values, true), { plain: true, required });
 }
 
 // ---------------------------------------------------------------------------------------------------- the client

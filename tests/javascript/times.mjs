@@ -39,7 +39,7 @@ function values(packet, device) {
             const [made, { values }] = [kind.decode(raw.data), tools.decodeData(protocol, field, raw.data)];
             for (const { name, length } of field.parameters) {
                 const member = tools.memberName(name);
-                if (!kind.layout.members.includes(member) || length === "counter") continue;
+                if (!kind.layout.names.includes(member) || length === "counter") continue;
                 const whole = [made.isValid(member, device), tools.isValid(protocol, field, values, name, device)];
                 const elements = Array.isArray(made[member]) ? [...made[member].keys()] : [];
                 const each = elements.map((i) => [

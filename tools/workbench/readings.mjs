@@ -39,11 +39,11 @@ export class Readings {
         this.packets++;
         const time = this.#clocks.timeOf(packet);
         packet.walk((at, end) => {
-            const key = packet.set * 256 + packet.bytes[at + 1];
-            const data = packet.bytes.subarray(at + 2, end);
+            const { set, descriptor, data } = packet.raw(at, end);
+            const key = set * 256 + descriptor;
             let reading = this.fields.get(key);
             if (!reading) {
-                reading = this.#begun(packet.set, packet.bytes[at + 1], data);
+                reading = this.#begun(set, descriptor, data);
                 this.fields.set(key, reading);
             }
             reading.data = data;

@@ -64,15 +64,16 @@ async function surveyed(protocol, pieces, progress, times, named) {
         for (const packet of packets) {
             const time = clocks.timeOf(packet);
             packet.walk((at, end) => {
-                const key = packet.set * 256 + packet.bytes[at + 1];
+                const raw = packet.raw(at, end);
+                const key = raw.set * 256 + raw.descriptor;
                 let one = fields.get(key);
                 if (!one) {
-                    one = seriesOf(protocol, packet, at, end);
+                    one = seriesOf(protocol, raw);
                     fields.set(key, one);
                 }
                 one.count++;
                 if (one.flagged.length || one.names) {
-                    const values = valuesOf(protocol, one.field, packet.bytes.subarray(at + 2, end));
+                    const values = valuesOf(protocol, one.field, raw.data);
                     if (one.names) device ??= deviceIn(protocol, values);
                     else one.valid += Boolean(values) && one.flagged.every((name) => isValid(protocol, one.field, values, name, named));
                 }
@@ -109,19 +110,18 @@ async function surveyed(protocol, pieces, progress, times, named) {
     };
 }
 
-function seriesOf(protocol, packet, at, end) {
-    const descriptor = packet.bytes[at + 1];
+function seriesOf(protocol, { set, descriptor, data }) {
     let field;
     try {
-        field = protocol.choose(packet.set, descriptor, packet.bytes.subarray(at + 2, end));
+        field = protocol.choose(set, descriptor, data);
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
     }
-    const name = field ? nameIn(field, packet.set) : undefined;
+    const name = field ? nameIn(field, set) : undefined;
     const flagged = field?.role === "data" ? field.parameters.filter(({ valid }) => valid?.length).map((one) => one.name) : [];
     const names = field?.role === "response" && field.parameters.some(({ type }) => named(protocol, type)); // the device
     const valid = flagged.length ? 0 : undefined;
-    return { set: packet.set, descriptor, field, name, count: 0, valid, flagged, names, rhythm: new Rhythm() };
+    return { set, descriptor, field, name, count: 0, valid, flagged, names, rhythm: new Rhythm() };
 }
 
 function named(protocol, type) {

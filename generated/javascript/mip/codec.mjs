@@ -2,9 +2,8 @@
 //
 //     { port: u8, baud: u32, position: array(double, 3) }
 //
-// Values have two forms. Programs use members in camel case, Booleans, and arrays without counters. Tools use the `plain`
-// form of mip.json: the specification's names, Booleans as numbers, counters, and NaNs with unusual bits as the text of
-// their bits, "0x7fe5bf7f".
+// Values have two forms. Programs use Booleans, and arrays without counters. Tools use the `plain` form of mip.json:
+// Booleans as numbers, counters, and NaNs with unusual bits as the text of their bits, "0x7fe5bf7f".
 
 import { MipError, described, floatBits, isList, isSame, readFloat, readText, writeFloat, writeInteger, writeText } from "./bytes.mjs";
 
@@ -24,15 +23,16 @@ export class Reader {
         this.plain = plain;
         this.floatBits = floatBits;
         this.json = json;
-        this.exact = floatBits || json;
+        this.exact = Boolean(floatBits || json);
         this.limit(0, bytes.length);
     }
 
-    /** Limits reading to the bytes from `from` to `to`. */
+    /** Limits reading to the bytes from `from` to `to`; all other offsets are relative to `from`. */
     limit(from, to) {
-        this.from = this.at = from;
-        this.end = to;
-        this.nans = undefined;
+        this.from = from;
+        this.at = 0;
+        this.end = to - from;
+        this.unusual = false; // was there a NaN with unusual bits, which JavaScript does not preserve?
     }
 
     get left() {
@@ -50,28 +50,25 @@ export class Reader {
         return at;
     }
 
-    slice(size) {
-        const at = this.take(size);
-        return this.bytes.subarray(at, at + size);
+    slice(at, size) {
+        return this.bytes.subarray(this.from + at, this.from + at + size);
     }
 
-    /** Handles a NaN: JavaScript does not preserve its bits, so they are recorded. */
+    /** Handles a NaN, and in some forms other numbers. */
     exactly(number, at, size) {
-        const bytes = this.bytes.subarray(at, at + size);
+        const bytes = this.slice(at, size);
         if (this.floatBits || (this.json && !Object.is(JSON.parse(JSON.stringify(number)), number))) return floatBits(bytes);
-        if (this.plain) return readFloat(bytes);
-        if (typeof readFloat(bytes) === "string") {
-            this.nans ??= new Map();
-            this.nans.set(at - this.from, floatBits(bytes));
-        }
+        const exact = readFloat(bytes);
+        if (this.plain) return exact;
+        this.unusual ||= typeof exact === "string";
         return number;
     }
 }
 
 class Writer {
-    constructor(plain, nans) {
+    constructor(plain, received) {
         this.plain = plain;
-        this.nans = nans;
+        this.received = received;
         this.bytes = [];
     }
 
@@ -82,61 +79,78 @@ class Writer {
 
 // ---------------------------------------------------------------------------------------------------- numbers
 
-const integer = (size, signed, read) => ({
-    size,
-    read,
-    write: (w, value, where) => w.put(writeInteger(value, size, signed, where)),
-});
+// A block of a number is also a function that reads it at an offset, which the caller has checked. Without a reader, it
+// returns the block itself: so a function that reads all numbers of a field also describes its layout.
+
+const integer = (size, signed, readAt) =>
+    Object.assign(readAt, {
+        size,
+        read: (r) => readAt(r, r.take(size)),
+        write: (w, value, where) => w.put(writeInteger(value, size, signed, where)),
+    });
 
 /** A block whose values are BigInts. JSON lacks them, so it contains decimal texts. */
-const big = (size, signed, read, order = (bytes) => bytes) => ({
-    size,
-    big: true,
-    read(r) {
-        const value = read(r);
-        return r.json ? String(value) : value;
-    },
-    write(w, value, where) {
-        const number = typeof value === "string" && /^-?\d+$/.test(value) ? BigInt(value) : value;
-        w.put(order(writeInteger(number, size, signed, where)));
-    },
-});
+const big = (size, signed, readAt, order = (bytes) => bytes) =>
+    Object.assign(readAt, {
+        size,
+        big: true,
+        read(r) {
+            const value = readAt(r, r.take(size));
+            return r.json ? String(value) : value;
+        },
+        write(w, value, where) {
+            const number = typeof value === "string" && /^-?\d+$/.test(value) ? BigInt(value) : value;
+            w.put(order(writeInteger(number, size, signed, where)));
+        },
+    });
 
-export const u8 = /* @__PURE__ */ integer(1, false, (r) => r.bytes[r.take(1)]);
-export const u16 = /* @__PURE__ */ integer(2, false, (r) => r.view.getUint16(r.take(2)));
-export const u32 = /* @__PURE__ */ integer(4, false, (r) => r.view.getUint32(r.take(4)));
-export const u64 = /* @__PURE__ */ big(8, false, (r) => r.view.getBigUint64(r.take(8)));
-export const s8 = /* @__PURE__ */ integer(1, true, (r) => r.view.getInt8(r.take(1)));
-export const s16 = /* @__PURE__ */ integer(2, true, (r) => r.view.getInt16(r.take(2)));
-export const s32 = /* @__PURE__ */ integer(4, true, (r) => r.view.getInt32(r.take(4)));
-export const s64 = /* @__PURE__ */ big(8, true, (r) => r.view.getBigInt64(r.take(8)));
+export const u8 = /* @__PURE__ */ integer(1, false, (r, at) => (r ? r.bytes[r.from + at] : u8));
+export const u16 = /* @__PURE__ */ integer(2, false, (r, at) => (r ? r.view.getUint16(r.from + at) : u16));
+export const u32 = /* @__PURE__ */ integer(4, false, (r, at) => (r ? r.view.getUint32(r.from + at) : u32));
+export const u64 = /* @__PURE__ */ big(8, false, (r, at) => (r ? r.view.getBigUint64(r.from + at) : u64));
+export const s8 = /* @__PURE__ */ integer(1, true, (r, at) => (r ? r.view.getInt8(r.from + at) : s8));
+export const s16 = /* @__PURE__ */ integer(2, true, (r, at) => (r ? r.view.getInt16(r.from + at) : s16));
+export const s32 = /* @__PURE__ */ integer(4, true, (r, at) => (r ? r.view.getInt32(r.from + at) : s32));
+export const s64 = /* @__PURE__ */ big(8, true, (r, at) => (r ? r.view.getBigInt64(r.from + at) : s64));
 export const char = u8;
 
-const floating = (size, get) => ({
-    size,
-    read(r) {
-        const at = r.take(size);
-        const number = get(r.view, at);
-        return Number.isNaN(number) || r.exact ? r.exactly(number, at, size) : number;
-    },
-    write(w, value, where) {
-        const noted = Number.isNaN(value) ? w.nans?.get(w.bytes.length) : undefined;
-        w.put(writeFloat(noted?.length === 2 + 2 * size ? noted : value, size, where));
-    },
+const floating = (size, readAt) =>
+    Object.assign(readAt, {
+        size,
+        read: (r) => readAt(r, r.take(size)),
+        write(w, value, where) {
+            const at = w.bytes.length;
+            const received = Number.isNaN(value) ? w.received?.subarray(at, at + size) : undefined;
+            const exact = received?.length === size ? readFloat(received) : value;
+            w.put(writeFloat(typeof exact === "string" ? exact : value, size, where));
+        },
+    });
+
+export const float = /* @__PURE__ */ floating(4, (r, at) => {
+    if (!r) return float;
+    const number = r.view.getFloat32(r.from + at);
+    return Number.isNaN(number) || r.exact ? r.exactly(number, at, 4) : number;
 });
 
-export const float = /* @__PURE__ */ floating(4, (view, at) => view.getFloat32(at));
-export const double = /* @__PURE__ */ floating(8, (view, at) => view.getFloat64(at));
+export const double = /* @__PURE__ */ floating(8, (r, at) => {
+    if (!r) return double;
+    const number = r.view.getFloat64(r.from + at);
+    return Number.isNaN(number) || r.exact ? r.exactly(number, at, 8) : number;
+});
 
 /** A Boolean. Bytes other than 0 and 1 stay numbers. */
-export const bool = {
-    size: 1,
-    read(r) {
-        const byte = r.bytes[r.take(1)];
+export const bool = /* @__PURE__ */ Object.assign(
+    (r, at) => {
+        if (!r) return bool;
+        const byte = r.bytes[r.from + at];
         return r.plain || byte > 1 ? byte : byte === 1;
     },
-    write: (w, value, where) => w.put(writeInteger(typeof value === "boolean" ? Number(value) : value, 1, false, where)),
-};
+    {
+        size: 1,
+        read: (r) => bool(r, r.take(1)),
+        write: (w, value, where) => w.put(writeInteger(typeof value === "boolean" ? Number(value) : value, 1, false, where)),
+    },
+);
 
 // ---------------------------------------------------------------------------------------------------- named numbers
 
@@ -193,7 +207,7 @@ export const bitfield = (of, bits) => new Bitfield(of, bits);
 /** Creates a block for a bitfield in bytes, the least significant first: a BigInt, or in the plain form an array of bytes. */
 export const octets = (size) => {
     const plain = array(u8, size);
-    const number = (r) => plain.read(r).reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n);
+    const number = (r, at) => r.slice(at, size).reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n);
     const whole = big(size, false, number, (bytes) => bytes.reverse());
     return {
         ...whole,
@@ -218,7 +232,7 @@ class Items {
         this.fixed = fixed;
         this.most = most;
         this.count = count;
-        this.size = fixed === undefined ? undefined : fixed * item.size;
+        this.size = fixed * item.size; // NaN if it varies
     }
 
     read(r, _, counts) {
@@ -252,8 +266,20 @@ const following =
     (r) =>
         Math.min(Math.floor(r.left / size), most);
 
-/** Creates a block for a vector, or another array of fixed length. */
+/** Creates a block for an array of fixed length. */
 export const array = (item, count) => new Items(item, count, count);
+
+/** Creates a block for a vector from a function that reads its numbers, as the blocks of numbers do. */
+export const vector = (readAt) => {
+    const [item, ...others] = readAt();
+    const block = array(item, others.length + 1);
+    return Object.assign((r, at) => (r ? readAt(r, at) : block), {
+        size: block.size,
+        read: (r) => block.read(r),
+        write: (...of) => block.write(...of),
+    });
+};
+
 /** Creates a block for an array whose length is the value of another parameter. */
 export const counted = (counter, item, most) => new Items(item, undefined, most, countedBy(counter, item, most));
 /** Creates a block for an array that fills the rest of the field. */
@@ -261,7 +287,8 @@ export const rest = (item, most) => new Items(item, undefined, most, following(i
 
 class Text extends Items {
     read(r, _, counts) {
-        return readText(r.slice(this.count(r, counts)));
+        const size = this.count(r, counts);
+        return readText(r.slice(r.take(size), size));
     }
 
     write(w, value, where) {
@@ -291,22 +318,21 @@ export const reserved = (of, initial) => Object.create(of, { initial: { value: i
 /** Creates a block for a union: an object with one member or none, selected by another parameter. `cases`: value, name, block. */
 export const union = (tag, cases) => {
     const found = cases.map(([value, name, of]) => [value, new Layout({ [name]: of })]);
-    const selected = (key, values) => found.find(([value]) => isSame(value, values[key]))?.[1];
+    const selected = (values) => found.find(([value]) => isSame(value, values[tag]))?.[1];
     return {
         tag,
         read(r, values) {
             const inner = {};
-            selected(r.plain ? tag : memberName(tag), values)?.read(r, inner);
+            selected(values)?.read(r, inner);
             return inner;
         },
         write(w, value, where, values) {
-            const key = w.plain ? tag : memberName(tag);
-            const layout = selected(key, values);
-            const [wanted] = layout?.keys(w) ?? [];
+            const layout = selected(values);
+            const [wanted] = layout?.names ?? [];
             refuseOther(where, value, isObject(value), "an object");
             const there = Object.keys(value).filter((name) => w.plain || value[name] !== undefined);
             if (there.length !== (layout ? 1 : 0) || there[0] !== wanted) {
-                throw new MipError("tag", `${key} is ${values[key]}, so ${where} must hold ${wanted ?? "nothing"}`);
+                throw new MipError("tag", `${tag} is ${values[tag]}, so ${where} must hold ${wanted ?? "nothing"}`);
             }
             layout?.write(w, value, where);
         },
@@ -315,36 +341,19 @@ export const union = (tag, cases) => {
 
 // ---------------------------------------------------------------------------------------------------- layouts
 
-/** Names that every object has; a member with such a name is suffixed with "_". */
-const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "isValid", "toJSON", "toString", "valueOf"]);
-
-/** Converts a name to a member's name in programs: "gnss_1" to "gnss1", and "3d_fix" to "_3dFix". */
-export function memberName(words) {
-    const camel = words.replace(/_(.)/g, (both, next, at) => (/\d\d/.test(words[at - 1] + next) ? both : next.toUpperCase()));
-    return /^\d/.test(camel) ? `_${camel}` : TAKEN.has(camel) ? `${camel}_` : camel;
-}
-
 /** Named values, one after another. */
 export class Layout {
     /** @param blocks name -> block, in wire order; @param always the number of parameters that are always present */
     constructor(blocks, always) {
         this.names = Object.keys(blocks);
-        this.members = this.names.map(memberName);
         this.blocks = Object.values(blocks);
         this.always = always ?? this.names.length;
         this.groups = groupsOf(this, this.always);
-        this.simple = !this.blocks.some((one) => one.counts !== undefined || one.value !== undefined);
-        const sizes = this.blocks.map((one) => one.size);
-        this.size = sizes.includes(undefined) ? undefined : sizes.reduce((sum, size) => sum + size, 0);
-    }
-
-    /** Returns the names of the values in the form that a reader or writer uses. */
-    keys(form) {
-        return form.plain ? this.names : this.members;
+        this.size = this.blocks.reduce((sum, { size }) => sum + size, 0); // NaN if it varies
     }
 
     read(r, values, required = this.always) {
-        const counts = this.simple ? undefined : {};
+        const counts = {};
         this.#span(r, values, counts, 0, this.always);
         for (const [first, last] of this.groups) {
             const optional = last > required;
@@ -364,12 +373,7 @@ export class Layout {
     }
 
     #span(r, values, counts, first, last) {
-        const keys = this.keys(r);
         const { blocks, names } = this;
-        if (this.simple) {
-            for (let i = first; i < last; i++) values[keys[i]] = blocks[i].read(r, values, counts);
-            return;
-        }
         for (let i = first; i < last; i++) {
             const block = blocks[i];
             const value = block.read(r, values, counts);
@@ -381,38 +385,36 @@ export class Layout {
                 counts[names[i]] = value;
                 if (r.plain) values[names[i]] = value;
             } else {
-                values[keys[i]] = value;
+                values[names[i]] = value;
             }
         }
     }
 
     /** Writes values. `within` is the path of the value that contains them, such as "segments[2]", for errors. */
     write(w, values, within = "", required = this.always) {
-        this.refuseUnknown(values, within, w);
         const there = (i) => this.#isGiven(i, values, w);
         for (let i = 0; i < this.always; i++) this.#put(w, i, values, within);
-        const keys = this.keys(w);
+        const { names } = this;
         let ended; // the first absent parameter: all after it must be absent, too
         for (const [first, last] of this.groups) {
             const members = range(first, last).filter((i) => this.blocks[i].value === undefined);
-            const filled = last <= required || range(last, keys.length).some(there);
+            const filled = last <= required || range(last, names.length).some(there);
             const absent = members.find((i) => !there(i) && !(filled && this.#initial(i, w) !== undefined));
-            if (absent !== undefined && last <= required) throw missing(keys[absent]);
+            if (absent !== undefined && last <= required) throw missing(names[absent]);
             ended ??= absent;
             if (ended === undefined) {
                 for (let i = first; i < last; i++) this.#put(w, i, values, within);
             } else if (members.some(there)) {
-                throw missing(keys[ended]);
+                throw missing(names[ended]);
             }
         }
     }
 
-    refuseUnknown(values, within, form) {
-        const keys = this.keys(form);
+    refuseUnknown(values, within) {
         for (const name of Object.keys(values)) {
-            const i = keys.indexOf(name);
+            const i = this.names.indexOf(name);
             if (i < 0 || this.blocks[i].value !== undefined) {
-                throw new MipError("unknown", `${within || "it"} has no parameter "${name}"`);
+                throw new MipError("unknown", `${within} has no parameter "${name}"`);
             }
         }
     }
@@ -421,7 +423,7 @@ export class Layout {
     #isGiven(i, values, w) {
         const given = (key) => Object.hasOwn(values, key) && (w.plain || values[key] !== undefined);
         const { counts } = this.blocks[i];
-        return given(this.keys(w)[i]) || (counts !== undefined && given(this.keys(w)[this.names.indexOf(counts)]));
+        return given(this.names[i]) || (counts !== undefined && given(counts));
     }
 
     /** Returns the value to send if a program omits the parameter. */
@@ -431,7 +433,7 @@ export class Layout {
 
     #put(w, i, values, within) {
         const block = this.blocks[i];
-        const key = this.keys(w)[i];
+        const key = this.names[i];
         const where = within ? `${within}.${key}` : key;
         if (block.value !== undefined) {
             block.write(w, block.value, where);
@@ -442,7 +444,7 @@ export class Layout {
         } else if (block.counts === undefined) {
             block.write(w, values[key], where, values);
         } else {
-            const array = this.keys(w)[this.names.indexOf(block.counts)];
+            const array = block.counts;
             const items = values[array];
             if (!Object.hasOwn(values, key)) {
                 refuseOther(array, items, isList(items) || typeof items === "string", "an array");
@@ -485,15 +487,16 @@ export const structOf = (layout) => ({
     },
     write(w, value, where) {
         refuseOther(where, value, isObject(value), "an object");
+        layout.refuseUnknown(value, where);
         layout.write(w, value, where);
     },
 });
 
-/** Encodes a field's data with these values, in the shortest form that contains them. */
-export function encoded(layout, name, values, { plain = false, nans, required } = {}) {
+/** Encodes a field's data with these values, in the shortest form that contains them. NaNs have the bits of the data `received`. */
+export function encoded(layout, name, values, { plain = false, received, required } = {}) {
     refuseOther(name, values, isObject(values), "an object");
-    const writer = new Writer(plain, nans);
-    layout.refuseUnknown(values, name, writer);
+    const writer = new Writer(plain, received);
+    layout.refuseUnknown(values, name);
     layout.write(writer, values, "", required);
     if (writer.bytes.length > MAX_FIELD_DATA) {
         throw new MipError("length", `${writer.bytes.length} bytes do not fit in a field, which holds ${MAX_FIELD_DATA}`);
@@ -505,7 +508,7 @@ export const isObject = (value) => typeof value === "object" && value !== null &
 
 const range = (first, last) => Array.from({ length: last - first }, (_, i) => first + i);
 
-function refuseOther(where, value, right, wanted) {
+export function refuseOther(where, value, right, wanted) {
     if (!right) throw new MipError("range", `${where}: ${described(value)} is not ${wanted}`);
 }
 

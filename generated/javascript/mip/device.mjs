@@ -8,7 +8,6 @@ import { AckCode, FunctionSelector } from "../protocol.mjs";
 import { session } from "../session.mjs";
 import { isSame, MipError } from "./bytes.mjs";
 import { Client, checkSeconds } from "./client.mjs";
-import { memberName } from "./codec.mjs";
 import { stream } from "./streaming.mjs";
 
 /** Seconds without a byte after which an incomplete packet, which may be noise, is searched, and discarded. */
@@ -144,14 +143,14 @@ export class Device {
     async #askFor(command) {
         for (const [setting] of command?.constructor.SILENCED_BY ?? []) {
             const kind = setting();
-            if (!command.answered || this.#settings.has(kind) || kind.REQUIRED?.[FunctionSelector.READ] !== 0) continue;
+            if (!command.answered || this.#settings.has(kind) || kind.layout.calls?.[FunctionSelector.READ] !== 0) continue;
             const [outcome] = await this.exchange([kind.read()]);
             if (outcome?.type === "answer" && !outcome.accepted) this.#settings.set(kind, undefined); // the device does not have the setting
         }
     }
 
     #isSilenced(command) {
-        const holds = ([setting, name, value]) => isSame(this.#settings.get(setting())?.[memberName(name)], value);
+        const holds = ([setting, name, value]) => isSame(this.#settings.get(setting())?.[name], value);
         return command.constructor.SILENCED_BY.some(holds);
     }
 
@@ -159,7 +158,7 @@ export class Device {
     #learn({ command, response, accepted }) {
         const kind = command.constructor;
         if (!accepted || kind.SILENCED_BY.length) return;
-        const selector = kind.REQUIRED && Number(command.function);
+        const selector = kind.layout.calls && Number(command.function);
         if (selector === FunctionSelector.READ) {
             if (response) this.#settings.set(kind, response);
         } else if (selector === FunctionSelector.WRITE) {

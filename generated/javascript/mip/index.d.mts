@@ -172,7 +172,7 @@ export declare class Packet {
     constructor(bytes: Uint8Array);
     readonly bytes: Uint8Array;
     /** Its descriptor set. */
-    get set(): number;
+    readonly set: number;
     get payload(): Uint8Array;
     get checksum(): Uint8Array;
     /** The correct checksum. */

@@ -1,6 +1,6 @@
 // Packets: checks, builds and divides them into fields.
 
-import { MipError, bytesOf, checksum, concatenated, described, sameBytes, toHex } from "./bytes.mjs";
+import { MipError, bytesOf, checksum, described, sameBytes, toHex } from "./bytes.mjs";
 import { MAX_FIELD_DATA, Reader } from "./codec.mjs";
 
 /** The two bytes that each packet begins with. */
@@ -34,11 +34,24 @@ export class RawField {
 /** Bytes in the form of a packet; the checksum may be wrong. */
 export class Packet {
     #reader;
+    #begin;
+    #end;
 
-    /** @param reader reads the bytes around these, if there is one for several packets */
-    constructor(bytes, reader) {
-        this.bytes = bytes;
-        this.#reader = reader;
+    /** Wraps bytes, or those from `begin` to `end` of a reader for several packets. */
+    constructor(bytes, begin, end) {
+        this.#reader = end ? bytes : new Reader(bytes);
+        this.#begin = end ? begin : 0;
+        this.#end = end ?? bytes.length;
+        this.set = this.#reader.bytes[this.#begin + 2];
+    }
+
+    get bytes() {
+        return this.#reader.bytes.subarray(this.#begin, this.#end);
+    }
+
+    /** Reads the bytes at the offsets that `walk` reports. */
+    get reader() {
+        return this.#reader;
     }
 
     /** Checks that bytes are a whole packet. Throws a MipError: "sync", "length" or "checksum". */
@@ -59,21 +72,16 @@ export class Packet {
     /** Builds a packet from fields, each with a `descriptor` and `data`. Throws a MipError if they do not fit. */
     static build(set, fields) {
         if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
-        const payload = concatenated(
-            ...fields.flatMap(({ descriptor, data }) => {
-                if (data.length > MAX_FIELD_DATA) throw new MipError("length", `a field holds at most ${MAX_FIELD_DATA} bytes of data`);
-                return [Uint8Array.of(data.length + 2, descriptor), data];
-            }),
-        );
-        if (payload.length > MAX_PAYLOAD) {
-            throw new MipError("length", `the fields have ${payload.length} bytes; a packet holds ${MAX_PAYLOAD}`);
+        const payload = [];
+        for (const { descriptor, data } of fields) {
+            if (data.length > MAX_FIELD_DATA) throw new MipError("length", `a field holds at most ${MAX_FIELD_DATA} bytes of data`);
+            payload.push(data.length + 2, descriptor, ...data);
         }
-        const head = concatenated(SYNC, Uint8Array.of(set, payload.length), payload);
-        return new Packet(concatenated(head, checksum(head)));
-    }
-
-    get set() {
-        return this.bytes[2];
+        const size = payload.length;
+        if (size > MAX_PAYLOAD) throw new MipError("length", `the fields have ${size} bytes; a packet holds ${MAX_PAYLOAD}`);
+        const packet = new Packet(Uint8Array.of(...SYNC, set, size, ...payload, 0, 0));
+        packet.checksum.set(packet.rightChecksum);
+        return packet;
     }
 
     get payload() {
@@ -96,10 +104,9 @@ export class Packet {
 
     /** Yields the fields; throws a MipError at a malformed one. */
     *fields() {
-        const { bytes, set } = this;
         const found = [];
         const wrong = this.walk((at, end) => {
-            found.push(new RawField(set, bytes[at + 1], bytes.subarray(at + 2, end), at));
+            found.push(this.raw(at, end));
         });
         yield* found;
         if (wrong) throw wrong;
@@ -107,16 +114,21 @@ export class Packet {
 
     /** Calls `visit(at, end)` for each field until it returns true; returns the error of a malformed field. */
     walk(visit) {
-        const { bytes } = this;
-        const last = bytes.length - TAIL;
-        for (let at = HEAD; at < last; at += bytes[at]) {
+        const { bytes } = this.#reader;
+        const last = this.#end - TAIL;
+        for (let at = this.#begin + HEAD; at < last; ) {
             const end = at + bytes[at];
-            if (bytes[at] < 2 || end > last) {
-                return new MipError("field_length", `a field of length ${bytes[at]} in ${last - at} bytes`);
-            }
+            if (end < at + 2 || end > last) return malformed(end - at, last - at);
             if (visit(at, end)) return undefined;
+            at = end;
         }
         return undefined;
+    }
+
+    /** Returns the field from `at` to `end`, undecoded. */
+    raw(at, end) {
+        const { bytes } = this.#reader;
+        return new RawField(this.set, bytes[at + 1], bytes.subarray(at + 2, end), at - this.#begin);
     }
 
     /** Returns its time by a clock of `mip-protocol/time`, in nanoseconds; null if that is not valid, undefined if it has none. */
@@ -126,32 +138,35 @@ export class Packet {
 
     /** Returns the first field of a type; undefined if there is none. Throws a MipError if it cannot be decoded. */
     find(kind) {
-        return this.#search(kind, true)[0];
+        return this.#search(kind);
     }
 
     /** Returns the fields of a type, in order. Throws a MipError if one cannot be decoded. */
     findAll(kind) {
-        return this.#search(kind, false);
+        return this.#search(kind, []);
     }
 
-    #search(kind, once) {
-        const found = [];
-        const { bytes, set } = this;
-        if (!kind.occursIn(set)) return found;
-        const wrong = this.walk((at, end) => {
-            if (bytes[at + 1] !== kind.DESCRIPTOR || !kind.matches(bytes, at + 2, end)) return false;
-            found.push(this.read(kind, at, end));
-            return once;
-        });
-        if (wrong) throw wrong;
-        return found;
+    #search({ layout }, all) {
+        const reader = this.#reader;
+        const { bytes } = reader;
+        const { set } = this;
+        if (set !== layout.set && (layout.set || !layout.occursIn(set))) return all;
+        const { descriptor, fits } = layout;
+        const last = this.#end - TAIL;
+        for (let at = this.#begin + HEAD; at < last; ) {
+            const end = at + bytes[at];
+            if (end < at + 2 || end > last) throw malformed(end - at, last - at);
+            if (bytes[at + 1] === descriptor && (!fits || layout.matches(bytes, at + 2, end))) {
+                const field = layout.decode(reader, at + 2, end, set);
+                if (!all) return field;
+                all.push(field);
+            }
+            at = end;
+        }
+        return all;
     }
+}
 
-    /** Decodes the field from `at` to `end` as one of this type. Throws a MipError. */
-    read(kind, at, end) {
-        const { bytes } = this;
-        this.#reader ??= new Reader(bytes);
-        const begin = bytes.byteOffset - this.#reader.bytes.byteOffset;
-        return kind.readFrom(this.#reader, begin + at + 2, begin + end, bytes[2]);
-    }
+function malformed(size, left) {
+    return new MipError("field_length", `a field of length ${size} in ${left} bytes`);
 }

@@ -1,7 +1,6 @@
 // The time of packets by clock. A time that is not valid as a date is that of a clock without one.
 
 import { MipError } from "./bytes.mjs";
-import { Reader } from "./codec.mjs";
 import { bitsNumber } from "./naming.mjs";
 import { validity } from "./validity.mjs";
 
@@ -98,16 +97,16 @@ export class Times {
  * if there is none.
  */
 function valuesOf(source, packet) {
-    const { bytes, set } = packet;
+    const { reader, set } = packet;
     if (!source.occursIn(set)) return undefined;
     let found;
     packet.walk((at, end) => {
-        if (bytes[at + 1] === source.descriptor && end - at - 2 >= source.size) found = [at + 2, end];
+        if (reader.bytes[at + 1] === source.descriptor && end - at - 2 >= source.size) found = [at + 2, end];
         return found;
     });
     if (!found) return undefined;
     try {
-        return source.decode(bytes, ...found);
+        return source.decode(reader, ...found);
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
         return null;
@@ -149,7 +148,7 @@ function secondsOf(day) {
 
 /**
  * Creates clocks from their names and epochs, and from timestamps: `descriptor`, `occursIn(set)`, the least `size` of
- * data, `decode(bytes, from, to)`, `isValid` (see `validity`), `parts` (names of values and nanoseconds
+ * data, `decode(reader, from, to)`, `isValid` (see `validity`), `parts` (names of values and nanoseconds
  * of their units), and the names of `clocks`: that of a valid time, and that of a time of week that is not.
  */
 export function clocksOf(epochs, leaps, timestamps) {
@@ -169,7 +168,7 @@ export function clocks(names, leaps, timestamps) {
         descriptor: kind.DESCRIPTOR,
         occursIn: (set) => (sets ? sets.includes(set) : kind.occursIn(set)),
         size,
-        decode: (bytes, from, to) => kind.readFrom(new Reader(bytes), from, to),
+        decode: (reader, from, to) => kind.layout.decode(reader, from, to, kind.SET),
         isValid: kind.VALID ?? validity({}),
         parts: Object.entries(scales),
         clocks: own,

@@ -1,7 +1,6 @@
 // The interface for tools, without classes: the protocol's model, and values by their names in the specification.
 
 export { checksum, fromHex, isSame, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
-export { memberName } from "./codec.mjs";
 export { buildPacket, decodeData, decodePacket, encodeData, partsOf } from "./data.mjs";
 export { deviceWithNumber, nameIn, placesOf, Protocol } from "./model.mjs";
 export { clocksIn, isValid } from "./model_time.mjs";
@@ -11,6 +10,7 @@ export {
     enumValue,
     maskOf,
     measuredHere,
+    memberName,
     namedType,
     parameterOf,
     parametersAt,

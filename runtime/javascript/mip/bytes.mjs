@@ -22,6 +22,11 @@ export function checksum(bytes) {
     return Uint8Array.of(a, b);
 }
 
+/** Converts words to camel case: "gnss_1" to "gnss1", but "port_2_3" to "port2_3". */
+export function camel(words) {
+    return words.replace(/_(\D)|(?<!\d)_(\d)/g, (_, letter, digit) => letter?.toUpperCase() ?? digit);
+}
+
 /** Converts bytes to hexadecimal text: "7565", or with a separator "75 65". */
 export function toHex(bytes, between = "") {
     return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);

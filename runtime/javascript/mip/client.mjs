@@ -4,7 +4,7 @@
 import { BARRIER } from "../protocol.mjs";
 import { concatenated, MipError } from "./bytes.mjs";
 import { Command, packetOf } from "./field.mjs";
-import { FIRST_DATA_SET, Packet, RawField } from "./packet.mjs";
+import { FIRST_DATA_SET, Packet } from "./packet.mjs";
 import { Parser } from "./parser.mjs";
 
 /** Descriptor of the acknowledge in every command set; its data is the command's descriptor and a code. */
@@ -183,9 +183,9 @@ export class Client {
         const passed = this.#passed(packet);
         if (passed) return passed;
         const fields = [];
-        const { bytes, set } = packet;
+        const { set } = packet;
         const wrong = packet.walk((at, end) => {
-            fields.push(new RawField(set, bytes[at + 1], bytes.subarray(at + 2, end), at));
+            fields.push(packet.raw(at, end));
         });
         if (set >= FIRST_DATA_SET || this.#waiting.length === 0) return [{ type: "received", packet, fields, error: wrong }];
         const answers = [];

@@ -1,20 +1,78 @@
 // The base of all fields, and the functions that create their classes.
 
-import { MipError, bytesOf, isSame } from "./bytes.mjs";
-import { encoded, Layout, memberName, Reader } from "./codec.mjs";
+import { camel, MipError, bytesOf, isSame } from "./bytes.mjs";
+import { encoded, isObject, Layout, Reader, refuseOther } from "./codec.mjs";
 import { Packet } from "./packet.mjs";
 
 export { validity } from "./validity.mjs";
 
-export class Field {
-    // Besides its values: the `set` of its packet, and `nans` with unusual bits, by their offset. Most objects have neither.
-    #origin;
+/** The received data of fields that contain NaNs with unusual bits, which their values do not preserve. */
+const received = /* @__PURE__ */ new WeakMap();
 
+/** The layout of a class of fields. All have the same properties, so that the code that reads them stays fast. */
+class FieldLayout extends Layout {
+    /** @param blocks the blocks, or a function that reads the values of data that is long enough: see `codec.mjs` */
+    constructor(kind, sets, descriptor, blocks, { optional, fits, calls }) {
+        const straight = typeof blocks === "function" ? blocks : undefined;
+        const values = straight ? {} : blocks;
+        straight?.(values);
+        super(values, calls ? 1 : optional);
+        this.descriptor = descriptor;
+        this.set = kind.SET;
+        this.sets = sets;
+        this.fits = fits;
+        this.calls = calls;
+        this.straight = straight;
+        this.prototype = kind.prototype;
+        this.makers = []; // by set
+    }
+
+    occursIn(set) {
+        return this.sets.includes(set);
+    }
+
+    matches(bytes, from, to) {
+        if (!this.fits) return true;
+        const [least, most, constants] = this.fits;
+        const size = to - from;
+        const agrees = ([at, wanted]) => wanted.every((byte, i) => at + i >= size || bytes[from + at + i] === byte);
+        return least <= size && size <= most && constants.every(agrees);
+    }
+
+    /** Decodes the data from `from` to `to` in a packet of this set. */
+    decode(reader, from, to, set) {
+        this.makers[set] ??= maker(set === this.set ? this.prototype : Object.create(this.prototype, { set: { value: set } }));
+        const field = new this.makers[set]();
+        reader.limit(from, to);
+        if (this.straight && reader.end >= this.size && !reader.json) {
+            this.straight(field, reader);
+            reader.at = this.size;
+        } else {
+            this.read(reader, field, this.groups.length ? this.required(reader.bytes[from]) : undefined);
+        }
+        if (reader.unusual) received.set(field, reader.bytes.slice(from, to));
+        return field;
+    }
+
+    /** Returns the number of values that a function selector requires, including itself; an unknown one requires no others. */
+    required(selector) {
+        return this.calls && 1 + (this.calls[selector] ?? 0);
+    }
+}
+
+/** Returns a function that creates objects of a class faster than its constructor. */
+function maker(prototype) {
+    function Values() {}
+    Values.prototype = prototype;
+    return Values;
+}
+
+export class Field {
     constructor(values) {
         if (values === undefined) return;
         const { layout, NAME } = this.constructor;
-        if (typeof values !== "object" || values === null) throw new MipError("range", `${NAME} needs an object of values`);
-        layout.refuseUnknown(values, NAME, {});
+        refuseOther(NAME, values, isObject(values), "an object");
+        layout.refuseUnknown(values, NAME);
         for (const key of Object.keys(values)) if (values[key] !== undefined) this[key] = values[key];
     }
 
@@ -26,44 +84,28 @@ export class Field {
     /** Like `decode`, but also returns the number of bytes left over, which newer devices may send. */
     static decodeWithTrailing(data) {
         const reader = new Reader(bytesOf(data));
-        const field = this.readFrom(reader);
+        const field = this.layout.decode(reader, 0, reader.end, this.SET);
         return { field, trailing: reader.left };
     }
 
-    /** Decodes the data from `from` to `to` in a packet. */
-    static readFrom(reader, from = 0, to = reader.bytes.length, set = undefined) {
-        reader.limit(from, to);
-        const field = new this();
-        const { layout } = this;
-        layout.read(reader, field, layout.groups.length ? requiredWith(this, reader.bytes[from]) : undefined);
-        const { nans } = reader;
-        if ((set ?? this.SET) !== this.SET || nans) field.#origin = { set, nans };
-        return field;
-    }
-
     static occursIn(set) {
-        return this.SETS.includes(set);
+        return this.layout.occursIn(set);
     }
 
     /** Can this be the field's data? Checks what distinguishes a descriptor's layouts: constants and size. */
-    static matches(bytes, from = 0, to = bytes.length) {
-        if (!this.FITS) return true;
-        const [least, most, constants] = this.FITS;
-        const size = to - from;
-        const agrees = ([at, wanted]) => wanted.every((byte, i) => at + i >= size || bytes[from + at + i] === byte);
-        return least <= size && size <= most && constants.every(agrees);
+    static matches(data) {
+        return this.layout.matches(data, 0, data.length);
     }
 
     /** The set of the packet that contained it, or the only set in which it occurs; undefined if unknown. */
     get set() {
-        return this.#origin?.set ?? this.constructor.SET;
+        return this.constructor.SET;
     }
 
     /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode() {
         const { layout, NAME } = this.constructor;
-        const required = requiredWith(this.constructor, this.function);
-        return encoded(layout, NAME, this, { nans: this.#origin?.nans, required });
+        return encoded(layout, NAME, this, { received: received.get(this), required: layout.required(this.function) });
     }
 
     /**
@@ -71,7 +113,8 @@ export class Field {
      * lacks, such as a NaN, as the text of its bits, "0x7fc00000". Throws a MipError if it cannot be encoded.
      */
     toJSON() {
-        return { ...this.constructor.readFrom(new Reader(this.encode(), { json: true })) };
+        const reader = new Reader(this.encode(), { json: true });
+        return { ...this.constructor.layout.decode(reader, 0, reader.end, this.set) };
     }
 
     /** Makes a field from what `toJSON` returned. Throws a MipError. */
@@ -89,7 +132,7 @@ export class Field {
     isValid(name, device, seen) {
         const { layout, NAME, VALID } = this.constructor;
         const [member] = name.split("[");
-        layout.refuseUnknown({ [member]: 0 }, NAME, {});
+        layout.refuseUnknown({ [member]: 0 }, NAME);
         return VALID ? VALID(this, name, device, seen) : this[member] !== undefined;
     }
 
@@ -97,11 +140,6 @@ export class Field {
     packet(set = this.set) {
         return packetOf([this], set);
     }
-}
-
-/** Returns the number of values that a function selector requires, including itself; an unknown one requires no others. */
-function requiredWith({ REQUIRED }, selector) {
-    return REQUIRED && 1 + (REQUIRED[selector] ?? 0);
 }
 
 /** A field that a device sends as data. */
@@ -144,7 +182,7 @@ export class Command extends Field {
 
 /** Does a member have this value? For a Boolean, everything except 0 is true. */
 function holds([name, value, boolean], values) {
-    const held = values[memberName(name)];
+    const held = values[name];
     return boolean && held !== undefined ? Boolean(held) === Boolean(value) : isSame(held, value);
 }
 
@@ -166,25 +204,10 @@ export const every = (first, last) => ({ includes: (set) => first <= set && set 
 
 function made(Base, name, sets, descriptor, blocks, { optional, fits, calls, ...more }) {
     const kind = class extends Base {};
-    const words = name.slice(name.indexOf(".") + 1);
-    Object.defineProperty(kind, "name", { value: words.replace(/(?:^|_)(.)/g, (_, next) => next.toUpperCase()) });
+    Object.defineProperty(kind, "name", { value: camel(name.replace(/.*\./, "_")) });
     const one = typeof sets === "number";
-    Object.assign(kind, {
-        NAME: name,
-        SET: one ? sets : undefined,
-        SETS: one ? [sets] : sets,
-        DESCRIPTOR: descriptor,
-        FITS: fits,
-        layout: new Layout(blocks, calls ? 1 : optional),
-        ...more,
-    });
-    if (calls) {
-        kind.REQUIRED = calls;
-        for (const selector of Object.keys(calls).map(Number)) {
-            const call = (values) => new kind({ function: selector, ...values });
-            Object.defineProperty(kind, memberName(blocks.function.nameOf(selector).toLowerCase()), { value: call });
-        }
-    }
+    Object.assign(kind, { NAME: name, SET: one ? sets : undefined, SETS: one ? [sets] : sets, DESCRIPTOR: descriptor, ...more });
+    kind.layout = new FieldLayout(kind, kind.SETS, descriptor, blocks, { optional, fits, calls });
     return kind;
 }
 
@@ -196,8 +219,15 @@ export const data = (name, sets, descriptor, blocks, more = {}) => made(Data, na
 export const response = (name, sets, descriptor, blocks, more = {}) => made(Response, name, sets, descriptor, blocks, more);
 
 /**
- * Creates the class of a command. `more.calls`: number of a function -> how many parameters it requires. `more.REPLIES`:
+ * Creates the class of a command. `more.calls`: how many parameters each function requires, by its number. `more.REPLIES`:
  * functions, conditions and layouts of each response. `more.SILENT`: functions and conditions without an acknowledge.
  * `more.TIMEOUT`: seconds.
  */
-export const command = (name, set, descriptor, blocks, more = {}) => made(Command, name, set, descriptor, blocks, more);
+export function command(name, set, descriptor, blocks, more = {}) {
+    const kind = made(Command, name, set, descriptor, blocks, more);
+    more.calls?.forEach((_, selector) => {
+        const call = (values) => new kind({ function: selector, ...values });
+        Object.defineProperty(kind, camel(blocks.function.nameOf(selector).toLowerCase()), { value: call });
+    });
+    return kind;
+}

@@ -82,7 +82,7 @@ export function clocksIn(protocol) {
                 return layouts.length === 1 && layouts[0] === field && (sets.has(set) || sets.has(SHARED_SET));
             },
             size: field.min_size,
-            decode: (bytes, from, to) => decodeData(protocol, field, bytes.subarray(from, to)).values,
+            decode: ({ bytes }, from, to) => decodeData(protocol, field, bytes.subarray(from, to)).values,
             isValid: validityOf(protocol, field),
             parts: field.parameters.map((one) => [one.name, scaleOf(one)]).filter(([, scale]) => scale),
             clocks: [...own],

@@ -1,6 +1,15 @@
 // Names of values and bits, units, and types that depend on another value.
 
-import { isSame } from "./bytes.mjs";
+import { camel, isSame } from "./bytes.mjs";
+
+/** Names that every object has; a member with such a name is suffixed with "_". */
+const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "isValid", "toJSON", "toString", "valueOf"]);
+
+/** Converts a name to a member's name in programs: "gnss_1" to "gnss1", and "3d_fix" to "_3dFix". */
+export function memberName(words) {
+    const name = camel(words);
+    return /^\d/.test(name) ? `_${name}` : TAKEN.has(name) ? `${name}_` : name;
+}
 
 /** Finds a parameter of a field or a structure by its name. */
 export function parameterOf(record, name) {

@@ -75,7 +75,7 @@ export class Parser {
             if (size === undefined && !ended) break;
             if (size) {
                 this.#skip(at);
-                packets.push(new Packet(bytes.subarray(at, at + size), this.#reader));
+                packets.push(new Packet(this.#reader, at, at + size));
                 at += size;
                 this.#begin = at;
             } else {

@@ -2,11 +2,10 @@
 
 import { MipError } from "./bytes.mjs";
 import { Field } from "./field.mjs";
-import { RawField } from "./packet.mjs";
 
 /** Returns the number of constants that distinguish a layout. */
 function constants(kind) {
-    return kind.FITS?.[2].length ?? 0;
+    return kind.layout.fits?.[2].length ?? 0;
 }
 
 export class Registry {
@@ -41,7 +40,7 @@ export class Registry {
     /** Returns the class that fits a field's data; undefined if there is none. */
     typeOf(set, descriptor, bytes, from = 0, to = bytes.length) {
         const found = this.types(set, descriptor);
-        return found.length < 2 ? found[0] : found.find((kind) => kind.matches(bytes, from, to));
+        return found.length < 2 ? found[0] : found.find(({ layout }) => layout.matches(bytes, from, to));
     }
 
     /**
@@ -49,20 +48,16 @@ export class Registry {
      * MipError as its `error`. A malformed field ends the list.
      */
     decode(packet) {
-        const { bytes, set } = packet;
+        const { reader, set } = packet;
+        const { bytes } = reader;
         const fields = [];
         packet.walk((at, end) => {
             const kind = this.typeOf(set, bytes[at + 1], bytes, at + 2, end);
-            const raw = (error) => Object.assign(new RawField(set, bytes[at + 1], bytes.subarray(at + 2, end), at), error && { error });
-            if (!kind) {
-                fields.push(raw());
-                return;
-            }
             try {
-                fields.push(packet.read(kind, at, end));
+                fields.push(kind ? kind.layout.decode(reader, at + 2, end, set) : packet.raw(at, end));
             } catch (error) {
                 if (!(error instanceof MipError)) throw error;
-                fields.push(raw(error));
+                fields.push(Object.assign(packet.raw(at, end), { error }));
             }
         });
         return fields;

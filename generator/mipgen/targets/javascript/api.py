@@ -26,7 +26,7 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
         if isinstance(x, (m.Struct, m.Vector)):
             continue  # objects and arrays, which have a name in TypeScript only
         if isinstance(x, m.Field):
-            others = [names.member(f.name) for f in x.functions]
+            others = [names.camel(f.name) for f in x.functions]
         else:
             others = [names.constant(part.name) for part in named_parts(x)]
         name = names.class_name(x)

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from mipgen import model as m
 from mipgen.lower import validity
+from mipgen.lower.runs import runs
 
 from .names import class_name, home, member, namespace, reference
 
@@ -21,11 +22,11 @@ def block(p: m.Parameter, where: str) -> str:
         case "constant":
             return call("constant", scalar(p.scalar), whole_number(p.constant or 0))
         case "counter":
-            return call("counter", scalar(p.scalar), json.dumps(p.counts))
+            return call("counter", scalar(p.scalar), quoted(p.counts))
         case "switch":
-            cases = (f"[{whole_number(c.tag.value)}, {json.dumps(c.parameter.name)}, {block(c.parameter, where)}]"
+            cases = (f"[{whole_number(c.tag.value)}, {quoted(c.parameter.name)}, {block(c.parameter, where)}]"
                      for c in p.cases if c.parameter)  # fmt: skip
-            return call("union", json.dumps(p.tag), f"[{', '.join(cases)}]")
+            return call("union", quoted(p.tag), f"[{', '.join(cases)}]")
     if p.several and not p.vector:
         expression = _several(p, where)
     elif p.element is None or isinstance(p.element, m.Scalar):
@@ -33,6 +34,11 @@ def block(p: m.Parameter, where: str) -> str:
     else:
         expression = reference(p.element, where)
     return expression if p.reserved is None else call("reserved", expression, _initial(p))
+
+
+def quoted(name: str | None) -> str:
+    """Writes the name of a member as a text."""
+    return json.dumps(member(name or ""))
 
 
 def call(function: str, *arguments: str) -> str:
@@ -52,7 +58,7 @@ def _several(p: m.Parameter, where: str) -> str:
         return call("text" if text else "array", *item, str(p.count))
     if p.counter is None:
         return call("restText" if text else "rest", *item, str(p.capacity))
-    return call("countedText" if text else "counted", json.dumps(p.counter), *item, str(p.capacity))
+    return call("countedText" if text else "counted", quoted(p.counter), *item, str(p.capacity))
 
 
 def scalar(of: m.Scalar) -> str:
@@ -87,6 +93,34 @@ def object_key(name: str) -> str:
     return json.dumps(name) if name[:1].isdigit() else name
 
 
+def reading(f: m.Field) -> list[tuple[str, str]]:
+    """Returns the members of data that consists of numbers and vectors at fixed offsets, and what reads each; none for
+    other data."""
+    own = runs(f) if f.role == m.DATA else []
+    if not all(_straight(r.parameter) and len(r.path) == 1 for r in own):
+        return []
+    return [(member(r.parameter.name), _read(r.parameter, home(f), str(r.offset))) for r in own]
+
+
+def _straight(p: m.Parameter) -> bool:
+    return p.reserved is None and (p.kind == "scalar" or p.vector is not None)
+
+
+def _read(p: m.Parameter, where: str, at: str) -> str:
+    return f"{reference(p.vector, where) if p.vector else scalar(p.scalar)}(reader, {at})"
+
+
+def offset(number: int) -> str:
+    return f"at + {number}" if number else "at"
+
+
+def vector(t: m.Vector) -> str:
+    """Writes the block of a vector."""
+    items = [f"{scalar(t.scalar)}(reader, {offset(i * t.scalar.size)})" for i in range(len(t.elements))]
+    lines = f"[{', '.join(items)}]" if len(items) < 4 else "[" + "".join(f"\n    {x}," for x in items) + "\n]"
+    return call("vector", f"(reader, at) => {lines}")
+
+
 # --------------------------------------------------------------------------- further attributes
 
 
@@ -109,8 +143,8 @@ def class_attributes(f: m.Field, model: m.Model) -> Iterator[str]:
         constants = ", ".join(f"[{at}, {list(octets)}]" for at, octets in f.signature)
         yield f"fits: [{sizes.start}, {sizes.stop - 1}, [{constants}]]"
     if f.functions:
-        calls = (f"{c.function.value}: {len(c.required)}" for c in f.calls if c.function)
-        yield f"calls: {{ {', '.join(calls)} }}"
+        required = {c.function.value: f" {len(c.required)}" for c in f.calls if c.function}
+        yield f"calls: [{','.join(required.get(i, '') for i in range(max(required) + 1))}]"
     if valid := _validity(f):
         yield f"VALID: {valid}"
     if f.role != m.COMMAND:
@@ -124,7 +158,7 @@ def class_attributes(f: m.Field, model: m.Model) -> Iterator[str]:
     if f.timeout:
         yield f"TIMEOUT: {f.timeout:g}"
     silencers = [
-        f"[() => {_elsewhere(setting, f)}, {json.dumps(c.parameter)}, {whole_number(c.value)}]"
+        f"[() => {_elsewhere(setting, f)}, {quoted(c.parameter)}, {whole_number(c.value)}]"
         for c, setting in silenced_by(f, model)
     ]
     if silencers:
@@ -184,5 +218,5 @@ def _reply(r: m.Reply, f: m.Field) -> str:
 
 
 def _conditions(conditions: tuple[m.Condition, ...]) -> str:
-    rows = (f"[{json.dumps(c.parameter)}, {whole_number(c.value)}, {json.dumps(c.boolean)}]" for c in conditions)
+    rows = (f"[{quoted(c.parameter)}, {whole_number(c.value)}, {json.dumps(c.boolean)}]" for c in conditions)
     return f"[{', '.join(rows)}]"

@@ -44,7 +44,7 @@ def _listed(path: str, list_: str) -> list[str]:
 
 
 #: Names that all objects have, and names that declarations import.
-_MEMBERS = _listed("runtime/javascript/mip/codec.mjs", r"const TAKEN = new Set\(\[(.*?)\]\)")
+_MEMBERS = _listed("runtime/javascript/mip/naming.mjs", r"const TAKEN = new Set\(\[(.*?)\]\)")
 _CLASSES = _listed("templates/javascript/set.d.mts.j2", r"import type \{(.*?)\}")
 
 _constant = Escape(frozenset(), digit_prefix="N")
@@ -62,7 +62,8 @@ namespace = Escape(_KEYWORDS | _MODULES, digit_prefix="mip")
 
 
 def camel(words: str) -> str:
-    """
+    """Returns the words in camel case: the constructor for a function, as in the package at run time.
+
     >>> camel("scaled_accel"), camel("gnss_1"), camel("port_2_3"), camel("ping")
     ('scaledAccel', 'gnss1', 'port2_3', 'ping')
     """
@@ -75,7 +76,7 @@ def camel(words: str) -> str:
 
 
 def member(words: str) -> str:
-    """Returns the member for a parameter, or the constructor for a function, as `memberName` does at run time."""
+    """Returns the member for a parameter, as `memberName` does for tools."""
     return _member(camel(words))
 
 

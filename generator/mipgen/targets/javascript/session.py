@@ -82,5 +82,5 @@ def _call(f: m.Field, *arguments: str) -> str:
     way = f.calls[0]
     values = ", ".join(f"{names.member(p.name)}: {a}" for p, a in zip(way.values, arguments, strict=True))
     name = f"{names.namespace(f.family)}.{names.class_name(f)}"
-    head = f"{name}.{names.member(way.function.name)}" if way.function else f"new {name}"
+    head = f"{name}.{names.camel(way.function.name)}" if way.function else f"new {name}"
     return f"{head}({{ {values} }})" if values else f"{head}()"

@@ -14,7 +14,7 @@ from mipgen.facts.sample_values import SampleValues
 from mipgen.facts.snippets import Statements
 from mipgen.lower.calls import constructors, members
 
-from .names import class_name, constant, home, member
+from .names import camel, class_name, constant, home, member
 
 WIDTH = 84
 
@@ -57,7 +57,7 @@ class _Program:
         for shown in samples.shown(f):
             way, values = ways[shown.function], literals.record_values(f.parameters, samples.values(f, shown))
             arguments = self.members({p.name: values[p.name] for p in way.values})
-            made = f"{self.name(f)}.{member(way.function.name)}(" if way.function else f"new {self.name(f)}("
+            made = f"{self.name(f)}.{camel(way.function.name)}(" if way.function else f"new {self.name(f)}("
             asks = bool(samples.replies(f, shown))
             head, tail = ("console.log(", ")") if asks else ("", "")
             call = replace(arguments, tail=f"{arguments.tail})){tail};").after(f"{head}await device.request({made}")

@@ -14,7 +14,7 @@ from mipgen.lower import calls, validity
 from mipgen.targets.json import api as json_document
 
 from . import blocks, names
-from .names import SCALARS, class_name, constant, home, member, reference
+from .names import SCALARS, camel, class_name, constant, home, member, reference
 from .session import Session, session_commands
 
 WIDTH = 120
@@ -49,6 +49,7 @@ class Field:
     doc: list[str]
     sets: str
     attributes: list[str]  # that only some classes have
+    reading: list[tuple[str, str]]  # members and expressions that read them; then the items have no definitions
     items: list[Item]
     head: str  # the class and its base
     values: str  # the parameter of the constructor; empty if it has none
@@ -166,7 +167,7 @@ def type_view(t: m.Type, model: m.Model) -> Type:
             definition = blocks.opening("bitfield", blocks.scalar(t.scalar) if t.scalar else octets)
             items = [_part(b.name, f"[{b.first}, {b.last}]", name, COMMENTS.bits(b, t, model)) for b in t.bits]
         case m.Vector():
-            definition = blocks.call("array", blocks.scalar(t.scalar), str(len(t.elements)))
+            definition = blocks.vector(t)
             elements = ", ".join(f"{e}: number" for e in t.elements)
         case m.Struct():
             definition, items = blocks.opening("struct"), _parameters(t, model)
@@ -185,7 +186,7 @@ def _parameters(record: m.Record, model: m.Model) -> list[Item]:
     where = home(record)
     return [
         Item(
-            blocks.object_key(p.name),
+            blocks.object_key(member(p.name)),
             blocks.block(p, where),
             "" if p.derived else f"{declared(p, where, p.name in record.present_with)};",
             COMMENTS.member(p, record, model),
@@ -224,13 +225,13 @@ def field_view(f: m.Field, model: m.Model) -> Field:
     if differ:
         head = f"{name}<R extends Response | undefined = {union}> extends {base}<R>"
     constructors = [
-        Item("", "", f"static {member(c.function.name)}({_arguments(c, where)}): {name}{f'<{t}>' if differ else ''};",
+        Item("", "", f"static {camel(c.function.name)}({_arguments(c, where)}): {name}{f'<{t}>' if differ else ''};",
              [c.function.description])
         for c, t in responses.items() if c.function
     ]  # fmt: skip
     attributes = list(blocks.class_attributes(f, model))
     doc, items, values = COMMENTS.field(f, model), _parameters(f, model), _values(f, name)
-    return Field(f, name, doc, blocks.sets(f), attributes, items, head, values, constructors)
+    return Field(f, name, doc, blocks.sets(f), attributes, blocks.reading(f), items, head, values, constructors)
 
 
 def _response_type(call: m.Call, f: m.Field, model: m.Model) -> str:

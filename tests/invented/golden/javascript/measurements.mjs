@@ -5,9 +5,9 @@ import * as field from "./mip/field.mjs";
 import { FunctionSelector } from "./protocol.mjs";
 import * as types from "./types.mjs";
 
-export const Accel = /* @__PURE__ */ field.data("measurements.accel", [0x80, 0x81, 0x92], 0x01, {
-    scaled_accel: types.Vector3f,
-    valid_flags: types.StateFlags,
+export const Accel = /* @__PURE__ */ field.data("measurements.accel", [0x80, 0x81, 0x92], 0x01, (values, reader) => {
+    values.scaledAccel = types.Vector3f(reader, 0);
+    values.validFlags = codec.u16(reader, 12);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { scaledAccel: [0x1, 0x2, 0x1] } }, [
         [["model-a"], 0xfffa, "validFlags", { validFlags: { scaledAccel: [0x4, 0x1, 0x4] } }],
@@ -16,19 +16,19 @@ export const Accel = /* @__PURE__ */ field.data("measurements.accel", [0x80, 0x8
     ]),
 });
 
-export const Numbers = /* @__PURE__ */ field.data("measurements.numbers", [0x80, 0x92], 0x02, {
-    u8: codec.u8,
-    u16: codec.u16,
-    u32: codec.u32,
-    u64: codec.u64,
-    s8: codec.s8,
-    s16: codec.s16,
-    s32: codec.s32,
-    s64: codec.s64,
-    float: codec.float,
-    double: codec.double,
-    bool: codec.bool,
-    char: codec.char,
+export const Numbers = /* @__PURE__ */ field.data("measurements.numbers", [0x80, 0x92], 0x02, (values, reader) => {
+    values.u8 = codec.u8(reader, 0);
+    values.u16 = codec.u16(reader, 1);
+    values.u32 = codec.u32(reader, 3);
+    values.u64 = codec.u64(reader, 7);
+    values.s8 = codec.s8(reader, 15);
+    values.s16 = codec.s16(reader, 16);
+    values.s32 = codec.s32(reader, 18);
+    values.s64 = codec.s64(reader, 22);
+    values.float = codec.float(reader, 30);
+    values.double = codec.double(reader, 34);
+    values.bool = codec.bool(reader, 42);
+    values.char = codec.char(reader, 43);
 });
 
 export const Strings = /* @__PURE__ */ field.data("measurements.strings", [0x80, 0x81, 0x92], 0x03, {
@@ -70,13 +70,13 @@ export const Radio = /* @__PURE__ */ field.data("measurements.radio", [0x80, 0x9
     VALID: /* @__PURE__ */ field.validity({ connected: { strength: 0x0, noise: 0x0 } }),
 });
 
-export const Own = /* @__PURE__ */ field.data("measurements.own", 0x81, 0x07, {
-    mode: types.Mode,
+export const Own = /* @__PURE__ */ field.data("measurements.own", 0x81, 0x07, (values, reader) => {
+    values.mode = codec.u8(reader, 0);
 });
 
 export const Cloud = /* @__PURE__ */ field.data("measurements.cloud", [0x80, 0x92], 0x08, {
-    num_points: /* @__PURE__ */ codec.counter(codec.u8, "points"),
-    points: /* @__PURE__ */ codec.counted("num_points", types.Point, 61),
+    numPoints: /* @__PURE__ */ codec.counter(codec.u8, "points"),
+    points: /* @__PURE__ */ codec.counted("numPoints", types.Point, 61),
     stamp: codec.u64,
 });
 
@@ -86,7 +86,7 @@ export const Gust = /* @__PURE__ */ field.data("measurements.gust", [0x80, 0x92]
     height: codec.float,
     speed: types.Vector3f,
     gap: /* @__PURE__ */ codec.constant(codec.u8, 7),
-    valid_flags: types.StateFlags,
+    validFlags: types.StateFlags,
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { place: 0x1, height: 0x1, speed: 0x1 } }),
 });
