@@ -17,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-LEFT_OUT = re.compile(r"(compare|indexes|examples|project|tools)/|(examples|programs|guides/programs|start|404)\.html")
+LEFT_OUT = re.compile(r"(compare|indexes|examples|programs|project|tools)/|(examples|programs|start|404)\.html")
 _ARTICLE = re.compile(r'<article class="md-content__inner md-typeset">(.*?)</article>', re.S)
 _NEXT = re.compile(r'<a href="([^"]+)" class="md-nav__link', re.S)
 _ID = re.compile(r'\b(id|for|name)="([^"]+)"')

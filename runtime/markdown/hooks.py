@@ -21,10 +21,12 @@ _ANCHORED = re.compile(r'^<a id="([^"]+)"></a>\n\n(#+ .*)$', re.M)
 _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</summary>\n(.*?)</details>\n', re.S)
 #: Programs one after the other, one in each language.
 _PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
-#: A program of a guide in one language, and where it is in all.
-_SAME = re.compile(
-    r"^```python\n(?:(?!```).*\n)*```\n\n(.*); \[the same in [^\]]*\]\((programs\.md)#([^)]+)\)", re.M
-)
+#: A program in one language, and the page with the others.
+_SAME = re.compile(r"^(```python\n(?:(?!```).*\n)*```\n)\n`([\w.]+)` in \[C\]\(([^)#]+)#.*\n", re.M)
+#: The name of a program in a listing of several.
+_NAME = re.compile(r"^(?://|/\*) ([\w.]+)(?: \*/)?\n", re.M)
+#: The last section of the page of a field, which is folded: what it has, and its lines.
+_EVIDENCE = re.compile(r"^(## Evidence\n\n)(.+)\.\n\n((?:- .*\n)+)", re.M)
 _FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
 _LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
 #: A packet byte by byte, and a row of a table to which its parts link.
@@ -96,13 +98,14 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     if '<div class="filter devices">' in text:  # their tables need the room
         page.meta.setdefault("hide", ["toc"])
     text = _SAME.sub(lambda match: _languages(match, Path(page.file.abs_src_path).parent), text)
+    text = _EVIDENCE.sub(r'\1<details markdown="1">\n<summary>\2</summary>\n\n\3\n</details>\n', text)
     return _PROGRAMS.sub(_tabs, _PROGRAM.sub(_tab, text))
 
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search, which leaves out indexes. Colours packets."""
     path = page.file.src_uri
-    if path.startswith(("indexes/", "guides/programs.")):
+    if path.startswith(("indexes/", "programs/")):
         return content
     if path.startswith(("fields/", "guides/")):
         content = rulers(labelled(content))
@@ -224,11 +227,14 @@ def _plain(markup: str) -> str:
 
 
 def _languages(match: re.Match[str], folder: Path) -> str:
-    """A program of a guide in all languages, those but Python from their page, and the sentence below it."""
-    part = (folder / match[2]).read_text("utf-8").partition(f'<a id="{match[3]}"></a>')[2]
-    others = _PROGRAMS.search(part)[0]  # type: ignore[index]
-    fences = {fence[1]: fence[0] for fence in _FENCE.finditer(match[0] + others)}
-    return f"{''.join(fences[language] for language in _LANGUAGES)}\n{match[1]}"
+    """A program in all languages, those but Python from their page."""
+    shown, name, page = match.groups()
+    fences = {"python": shown}
+    for language, text in _FENCE.findall((folder / page).read_text("utf-8")):
+        before, *parts = _NAME.split(text)
+        own = dict(zip(parts[::2], parts[1::2], strict=True))[name]
+        fences[language] = f"```{language}\n{(before.strip() + chr(10)).lstrip()}{own.strip()}\n```\n"
+    return "".join(fences[language] for language in _LANGUAGES)
 
 
 def _tab(match: re.Match[str]) -> str:

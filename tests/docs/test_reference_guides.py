@@ -74,7 +74,7 @@ def test_every_byte_of_a_guide(manual: Manual) -> None:
 
 def test_hosts_act_in_the_programs_too(manual: Manual) -> None:
     for _, guide, sequence in plays(manual):
-        page = manual.page("guides/programs.md")
+        page = manual.page("programs/guides.md")
         for host in {step.host for step in sequence.steps if step.host}:
             assert len(re.findall(rf"(?://|#|/\*) {re.escape(host)}", page)) % (len(LANGUAGES) - 1) == 0
             assert f"# {host}" in part_of(manual, guide, sequence)

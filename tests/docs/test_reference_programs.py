@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import posixpath
 import re
 import subprocess
 import sys
@@ -29,19 +30,27 @@ def asked(manual: Manual) -> list[m.Field]:
 
 
 def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
-    """The imports of a program on a page, and its statements."""
-    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", manual.page(path_of(f)), re.M | re.S)
-    return split(block)
+    """The imports of a program, and its statements."""
+    return shown(manual, path_of(f), manual.page(path_of(f)), f.full_name, language)
 
 
 def program_of_guide(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
     _, guide, sequence = play
     number = guide.sequences.index(sequence) + 1
-    part = manual.section("guides/programs.md", f"{guide.name}.programs_{number}")
+    path = f"guides/{guide.name}.md"
+    return shown(manual, path, manual.section(path, f"{guide.name}.{number}"), play[0], language)
+
+
+def shown(manual: Manual, path: str, part: str, name: str, language: str) -> tuple[list[str], str]:
+    """A program in Python, or in another language, in the listing to which the part of a page leads."""
     if language == "python":
-        part = manual.section(f"guides/{guide.name}.md", f"{guide.name}.{number}")
-    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part, re.M | re.S)
-    return split(block)
+        (block,) = re.findall(r"^```python\n(.*?)^```$", part, re.M | re.S)
+        return split(block)
+    (target,) = re.findall(rf"^`{re.escape(name)}` in .*\]\(([^)#]*)#programs\.{language}\)", part, re.M)
+    page = manual.page(posixpath.normpath(posixpath.join(posixpath.dirname(path), target)))
+    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", page, re.M | re.S)
+    before, *parts = re.split(r"^(?://|/\*) ([\w.]+)(?: \*/)?\n", block, flags=re.M)
+    return split(before + dict(zip(parts[::2], parts[1::2], strict=True))[name])
 
 
 def split(block: str) -> tuple[list[str], str]:

@@ -118,9 +118,9 @@ def test_site_builds(spec: str) -> None:
         if '<div class="filter' in text:
             assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
         programs = re.findall(r'^<details class="program"', text, re.M)
-        if path.startswith(("fields/", "programs.", "guides/programs.")):
+        if path.startswith("programs."):
             programs += re.findall(r"^```(?:c|cpp|python|rust|javascript)$", text, re.M)
-        elif path.startswith("guides/"):  # the site has all languages
+        elif path.startswith(("fields/", "guides/")):  # the site has all languages
             programs += re.findall(r"^```python$", text, re.M) * len(LANGUAGES)
         if path.startswith("fields/"):
             assert page.count('class="mip-ruler"') == len(re.findall(r"`75 65` ", text)), path
@@ -178,7 +178,7 @@ def test_text_for_the_search(spec: str) -> None:
     manual, site = manual_of(spec), built(spec)
     script = (site / "assets/text.js").read_text("utf-8")
     texts = json.loads(script.removeprefix("globalThis.mipText = ").removesuffix(";\n"))
-    repeating = ("indexes/", "guides/programs.")
+    repeating = ("indexes/", "programs/")
     listed = (path for _, path in navigation(manual) if not path.startswith(repeating))
     of_the_manual = sorted(url for url, _, _ in texts if not url.startswith("project/"))
     assert of_the_manual == sorted(f"{path[:-3]}.html" for path in listed)

@@ -30,6 +30,7 @@ from mipgen.emit.target import File, Identifier, Target
 from . import places, start, text
 from .index import Index
 from .places import Page, Thing
+from .snippets import Named, listings, of_field
 from .tools import TOOLS
 from .view.base import View
 from .view.comparison import Comparison
@@ -93,13 +94,23 @@ def _lists(site: Site, model: m.Model) -> Iterator[File]:
         p = at(places.examples_page(manual.id))
         parts = [(x, [Example(p, e) for e in x.entries]) for x in examples if x.manual == manual]
         yield file(p, "examples_of_manual.md.j2", manual=manual, parts=parts)
-    if sequences := [g for g in model.guides if g.sequences]:
-        p = at(places.GUIDE_PROGRAMS)
-        yield file(p, "guide_programs.md.j2", guides=[Guide(p, g) for g in sequences])
+    programs = list(_programs(site, model))
+    for title, path, named in programs:
+        yield file(at(path), "listings.md.j2", title=title, listings=listings(site.index.samples, named))
     p = at(places.INDEX)  # paths in the navigation are relative to docs/
     views = {"page": p, **site.lists, "contents": Contents(p), "examples": examples}
-    views["guide_programs"] = bool(sequences) and places.GUIDE_PROGRAMS
+    views["programs"] = programs
     yield File("mkdocs.yml", "mkdocs.yml.j2", views)
+
+
+def _programs(site: Site, model: m.Model) -> Iterator[tuple[str, str, list[Named]]]:
+    """Yields the pages with the programs of fields and guides: title, path, and the programs."""
+    for x in model.families:
+        if fields := [of_field(f) for f in x.fields if f.role != m.RESPONSE]:
+            yield places.label(x), places.programs_page(x.name), fields
+    guides = [Guide(site.at(places.GUIDE_PROGRAMS), g) for g in model.guides]
+    if sequences := [s.named_program for g in guides for s in g.sequences]:
+        yield "Guides", places.GUIDE_PROGRAMS, sequences
 
 
 def _things(site: Site, model: m.Model) -> Iterator[File]:

@@ -14,6 +14,7 @@ from mipgen.facts.describe import Ref
 from mipgen.model.guides import Guide
 
 from .index import Index
+from .snippets import OTHERS
 from .text import code, escaped_line, hexadecimal, inline, opening
 from .tools import Tool
 
@@ -21,7 +22,7 @@ README = "README.md"
 INDEX = "docs/index.md"
 START = "docs/start.md"
 PROGRAMS = "docs/programs.md"
-GUIDE_PROGRAMS = "docs/guides/programs.md"
+GUIDE_PROGRAMS = "docs/programs/guides.md"
 PACKETS = "docs/packets.md"
 UNITS = "docs/units.md"
 TYPES = "docs/types.md"
@@ -43,6 +44,11 @@ Thing = m.Set | m.Family | m.Field | m.Type | m.Device | m.Example | m.Erratum |
 def field_page(f: m.Field) -> str:
     """Returns the page of a command or a data field; a response is on the page of the command that defines it."""
     return f"docs/fields/{f.family}/{f.command if f.role == m.RESPONSE else f.name}.md"
+
+
+def programs_page(family: str) -> str:
+    """Returns the page of the programs that use the fields of a family."""
+    return f"docs/programs/{family}.md"
 
 
 def on_page(f: m.Field, model: m.Model) -> list[m.Field]:
@@ -160,6 +166,14 @@ class Page:
     def picture(self, path: str, words: str) -> str:
         """Writes an image; `words` state what it shows."""
         return f"![{words}]({_relative(path, self.path)})"
+
+    def others(self, path: str, name: str) -> str:
+        """Writes links to the listings of a page that have a program in other languages."""
+        return (
+            f"{code(name)} in "
+            + ", ".join(f"[{x.title}]({self.url(f'{path}#programs.{x.name}')})" for x in OTHERS)
+            + "."
+        )
 
     def links(self, things: Iterable[Thing]) -> str:
         return ", ".join(self.link(t) for t in things)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -31,12 +31,13 @@ class Language:
     programs: Callable[[SampleValues], Programs]
     symbols: Callable[[m.Model], Iterator[Symbols]]
     listed: str  # what its index of symbols lists
+    remark: str = "// {}"
 
 
 LANGUAGES = (
     Language(
         "C", "c", "c", c.Programs, c.symbols,
-        "structures, types, functions and constants of the library `mip` for each field and type",
+        "structures, types, functions and constants of the library `mip` for each field and type", "/* {} */",
     ),
     Language(
         "C++", "cpp", "cpp", c.CppPrograms, c.cpp_symbols,
@@ -65,14 +66,39 @@ class Program:
     lines: str
 
 
-def programs(samples: SampleValues, f: m.Field) -> list[Program]:
-    return _each(samples, lambda of: of.command(f) if f.role == m.COMMAND else of.data(f))
+#: The language whose programs are on the pages of fields and guides. Those of the others have pages of their own, where
+#: lines that all of them need stand once.
+(SHOWN,) = (x for x in LANGUAGES if x.name == "python")
+OTHERS = tuple(x for x in LANGUAGES if x is not SHOWN)
+
+#: How lines begin that make a library known.
+_NEEDS = ("#include", "from", "use", "import")
+
+#: The name of a program, and how a language writes it.
+Named = tuple[str, Callable[[Programs], str]]
 
 
-def sequences(samples: SampleValues, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> list[Program]:
-    """Writes programs that send several commands."""
-    return _each(samples, lambda of: of.sequence(name, steps))
+def of_field(f: m.Field) -> Named:
+    return f.full_name, lambda of: of.command(f) if f.role == m.COMMAND else of.data(f)
 
 
-def _each(samples: SampleValues, write: Callable[[Programs], str]) -> list[Program]:
-    return [Program(x.title, x.name, write(x.programs(samples))) for x in LANGUAGES]
+def of_sequence(name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> Named:
+    """A program that sends several commands."""
+    return name, lambda of: of.sequence(name, steps)
+
+
+def shown(samples: SampleValues, named: Named) -> Program:
+    """Writes the program of a page."""
+    return Program(SHOWN.title, SHOWN.name, named[1](SHOWN.programs(samples)))
+
+
+def listings(samples: SampleValues, named: Iterable[Named]) -> list[Program]:
+    """Joins programs to one listing for each other language, each program below a comment with its name."""
+    named, found = list(named), []
+    for x in OTHERS:
+        lines = [write(x.programs(samples)).split("\n") for _, write in named]
+        same = [line for line in lines[0] if line.startswith(_NEEDS) and all(line in of for of in lines)]
+        own = [[line for line in of if line not in same] for of in lines]
+        parts = ["\n".join([x.remark.format(name), *of]) for (name, _), of in zip(named, own, strict=True)]
+        found.append(Program(x.title, x.name, "\n\n".join(["\n".join(same), *parts] if same else parts)))
+    return found

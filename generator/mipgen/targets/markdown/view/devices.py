@@ -33,6 +33,8 @@ class Device(View[m.Device]):
         d, link = self.of, self.page.link
         like = self.model.device(d.like) if d.like else None
         compared = [link(f"{path}?devices={d.id}", title.lower()) for path, title in [*COMPARISON.items()][1:]]
+        differing = {(v.field.full_name, v.parameter.name) for v in d.variants}
+        compared[-1] += f" ({count([*differing], 'parameter')})" if differing else ""
         codes = ", ".join(map(str, d.ack_codes))
         hardware = describe.topics(describe.device(d, self.model), "sensors", *m.COUNTED, "complete")
         rows = [
@@ -139,20 +141,6 @@ class Device(View[m.Device]):
         some = [s for s in self.of.supports if s.firmware and s.field.role != m.RESPONSE]
         rows = [[self.page.link(s.field), inline(describe.firmware(s.firmware or ""))] for s in some]
         return table(rows, ["Field", "Requires"])
-
-    @property
-    def variants(self) -> str:
-        """The parameters with a different meaning on the device; those of a command and its response in one row."""
-        by_parameter: dict[tuple[str, str, str], list[str]] = {}  # command or data, parameter, difference -> fields
-        for v in self.of.variants:
-            difference = self.page.markdown(describe.variant_text(v.variant, v.parameter, v.field, self.model))
-            owner = (*self.model.commands(v.field), v.field)[0].full_name
-            by_parameter.setdefault((owner, v.parameter.name, difference), []).append(self.page.link(v.field))
-        rows: dict[tuple[str, str], list[str]] = {}  # fields, difference -> parameters
-        for (_, name, difference), fields in by_parameter.items():
-            rows.setdefault(("<br>".join(fields), difference), []).append(code(name))
-        cells = [[fields, ", ".join(names), difference] for (fields, difference), names in rows.items()]
-        return table(cells, ["Field", "Parameter", "On this device"])
 
     @property
     def notes(self) -> list[Section]:

@@ -12,8 +12,8 @@ from mipgen.lower import codec
 from mipgen.model.guides import Guide
 
 from ..offsets import length
-from ..places import Page, field_page, on_page
-from ..snippets import Program, programs
+from ..places import Page, field_page, on_page, programs_page
+from ..snippets import Program, of_field, shown
 from ..text import code, hexadecimal, inline, spaced, table
 from .base import View, citation, length_remark, manual_link
 from .examples import typical_pieces
@@ -178,9 +178,14 @@ class Field(View[m.Field]):
         return " ".join([*parts, code(spaced(packet[-2:]))])
 
     @property
-    def programs(self) -> list[Program]:
-        """Programs that use the field, in each language."""
-        return programs(self.page.index.samples, self.of)
+    def program(self) -> Program:
+        """A program that uses the field."""
+        return shown(self.page.index.samples, of_field(self.of))
+
+    @property
+    def others(self) -> str:
+        """Where the programs in other languages are."""
+        return self.page.others(programs_page(self.of.family), self.of.full_name)
 
     # ----------------------------------------------------------------------- sources and references
 

@@ -14,7 +14,7 @@ from mipgen.lower import codec
 from mipgen.model import guides
 
 from ..places import GUIDE_PROGRAMS, Page, guide_picture
-from ..snippets import Program, sequences
+from ..snippets import Named, Program, of_sequence, shown
 from ..text import code, inline, table
 from .base import View
 from .devices import Section, base_rate, hertz
@@ -98,9 +98,9 @@ class Sequence(View[guides.Sequence]):
         return table(rows, ["Step", "Send", "Reply"])
 
     @property
-    def elsewhere(self) -> str:
-        """The address of the programs in other languages."""
-        return self.page.url(f"{GUIDE_PROGRAMS}#{self.guide.name}.programs_{self.number}")
+    def others(self) -> str:
+        """Where the programs in other languages are."""
+        return self.page.others(GUIDE_PROGRAMS, self.name)
 
     @property
     def number(self) -> int:
@@ -157,12 +157,19 @@ class Sequence(View[guides.Sequence]):
         return [*map(self.page.prose, self.of.notes), *doubts]
 
     @property
-    def programs(self) -> list[Program]:
-        """The sequence as a program in each language."""
-        model, several = self.model, len(self.guide.sequences) > 1
-        steps = [(s.of.command, GivenValues(model, s.call, s.of.values, s.of.host)) for s in self.steps]
-        name = f"{self.guide.name}_{self.number}" if several else self.guide.name
-        return sequences(self.page.index.samples, name, steps)
+    def named_program(self) -> Named:
+        """The sequence as a program."""
+        steps = [(s.of.command, GivenValues(self.model, s.call, s.of.values, s.of.host)) for s in self.steps]
+        return of_sequence(self.name, steps)
+
+    @property
+    def program(self) -> Program:
+        return shown(self.page.index.samples, self.named_program)
+
+    @property
+    def name(self) -> str:
+        """The name of its programs."""
+        return f"{self.guide.name}_{self.number}" if len(self.guide.sequences) > 1 else self.guide.name
 
 
 def _number(value: float) -> str:
