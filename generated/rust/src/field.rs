@@ -2,7 +2,7 @@
 
 use crate::codec::{Reader, Wire, Writer};
 use crate::error::{
-    DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid, OutOfRange,
+    DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, RangeError, ReadError,
 };
 use crate::protocol::{DescriptorSet, FunctionSelector};
 use crate::view::{self, View, Viewed};
@@ -152,7 +152,7 @@ pub trait Command: OneSet {
     /// # Errors
     ///
     /// Returns the first value out of its range. Values that are not present have none.
-    fn check(&self) -> Result<(), OutOfRange> {
+    fn check(&self) -> Result<(), RangeError> {
         Ok(())
     }
 
@@ -237,7 +237,7 @@ impl<C: Wire, const FUNCTION: u8> Wire for Call<C, FUNCTION> {
     const FIXED: bool = C::FIXED;
 
     #[inline]
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         let function = reader.clone().read::<u8>();
         match function {
             Ok(other) if other != FUNCTION => {
@@ -287,7 +287,7 @@ impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
     }
 
     #[inline]
-    fn check(&self) -> Result<(), OutOfRange> {
+    fn check(&self) -> Result<(), RangeError> {
         self.0.check()
     }
 
@@ -423,6 +423,13 @@ pub struct RawField<'a> {
 
 impl<'a> RawField<'a> {
     /// Is it a field of this type?
+    ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, RawField};
+    ///
+    /// let field = RawField { set: 0x01.into(), descriptor: 0xF1, data: &[1, 0] };
+    /// assert!(field.is::<Acknowledge>());
+    /// ```
     #[inline]
     #[must_use]
     pub fn is<T: Field>(&self) -> bool {
@@ -465,6 +472,16 @@ impl<'a> RawField<'a> {
     }
 
     /// Returns a view of the field, to read values in place, if it is of this type.
+    ///
+    /// ```
+    /// # #[cfg(feature = "sensor")] {
+    /// use mip_protocol::{sensor::ScaledAccel, RawField};
+    ///
+    /// let field = RawField { set: 0x80.into(), descriptor: 0x04, data: &[0; 12] };
+    /// let accel = field.view::<ScaledAccel>().unwrap().unwrap();
+    /// assert_eq!(accel.scaled_accel().x, 0.0);
+    /// # }
+    /// ```
     ///
     /// # Errors
     ///

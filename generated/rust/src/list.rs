@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use core::{fmt, hash, ops};
 
 use crate::codec::{Counted, Reader, Wire, Writer};
-use crate::error::{DecodeErrorKind, EncodeErrorKind, Invalid};
+use crate::error::{DecodeErrorKind, EncodeErrorKind, ReadError};
 
 /// At most `N` items, stored in place. It dereferences to a slice.
 ///
@@ -357,7 +357,7 @@ impl<'a, T, const N: usize> IntoIterator for &'a mut List<T, N> {
 impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
     const SIZE: usize = T::SIZE.saturating_mul(N);
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         let count = reader.remaining().checked_div(T::SIZE).unwrap_or(0);
         Self::decode_counted(count.min(N), reader)
     }
@@ -371,14 +371,14 @@ impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
 }
 
 impl<T: Wire + Item, const N: usize> Counted for List<T, N> {
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         if count > N || count.saturating_mul(T::SIZE) > reader.remaining() {
             let follow = reader.remaining().checked_div(T::SIZE).unwrap_or(N).min(N);
             return Err(reader.wrong(DecodeErrorKind::Count, count, follow));
         }
         let mut list = Self::new();
         for _ in 0..count {
-            list.push(reader.read()?).map_err(|_| Invalid)?;
+            list.push(reader.read()?).map_err(|_| ReadError)?;
         }
         Ok(list)
     }

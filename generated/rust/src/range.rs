@@ -1,6 +1,6 @@
 //! The ranges of values, which the specification states for some.
 
-use crate::error::OutOfRange;
+use crate::error::RangeError;
 use crate::list::List;
 use crate::protocol::DescriptorSet;
 
@@ -66,23 +66,23 @@ impl<T: Limited, const N: usize> Limited for List<T, N> {
 /// A structure, field or union whose values have ranges.
 pub(crate) trait Ranged {
     /// Returns the error for the first value out of its range, in the field with this name.
-    fn check_in(&self, field: &'static str) -> Result<(), OutOfRange>;
+    fn check_in(&self, field: &'static str) -> Result<(), RangeError>;
 }
 
 impl<T: Ranged> Ranged for Option<T> {
-    fn check_in(&self, field: &'static str) -> Result<(), OutOfRange> {
+    fn check_in(&self, field: &'static str) -> Result<(), RangeError> {
         self.iter().try_for_each(|value| value.check_in(field))
     }
 }
 
 impl<T: Ranged, const N: usize> Ranged for [T; N] {
-    fn check_in(&self, field: &'static str) -> Result<(), OutOfRange> {
+    fn check_in(&self, field: &'static str) -> Result<(), RangeError> {
         self.iter().try_for_each(|value| value.check_in(field))
     }
 }
 
 impl<T: Ranged, const N: usize> Ranged for List<T, N> {
-    fn check_in(&self, field: &'static str) -> Result<(), OutOfRange> {
+    fn check_in(&self, field: &'static str) -> Result<(), RangeError> {
         self.iter().try_for_each(|value| value.check_in(field))
     }
 }

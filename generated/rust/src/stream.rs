@@ -79,6 +79,16 @@ impl<R: Read> PacketReader<R> {
     /// be more bytes. One exception: if the source has no more bytes and a whole packet is inside the
     /// incomplete one, the outer header was noise, and the inner packet is returned.
     ///
+    /// ```
+    /// let log = &b"noise\x75\x65\x01\x02\x02\x01\xE0\xC6"[..];
+    /// let mut reader = mip_protocol::PacketReader::new(log);
+    /// while let Some(packet) = reader.next_packet()? {
+    ///     assert_eq!(packet.set(), 0x01.into());
+    /// }
+    /// assert_eq!(reader.parser().skipped(), 5);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// Returns the errors of the source, except [`Interrupted`](io::ErrorKind::Interrupted).

@@ -292,6 +292,16 @@ pub struct Time {
 
 impl Time {
     /// Converts it to UTC; `None` if the clock has no epoch.
+    ///
+    /// ```
+    /// use mip_protocol::{Clock, Time};
+    ///
+    /// for clock in Clock::ALL {
+    ///     let time = Time { clock: *clock, nanoseconds: 1_500_000_000 };
+    ///     println!("{time} by {}: {:?}", clock.name(), time.utc());
+    ///     assert_eq!(time.seconds(), 1.5);
+    /// }
+    /// ```
     #[must_use]
     pub fn utc(self) -> Option<Utc> {
         Utc::from_clock(self.clock, self.nanoseconds)

@@ -520,6 +520,18 @@ impl<const N: usize> Client<N> {
     /// reply to the barrier, no reply is matched to a command sent after it; after that, none is
     /// matched to a command sent before it, which has timed out. If the barrier is not answered,
     /// the commands after it time out, although the device may have carried them out.
+    ///
+    /// ```
+    /// # #[cfg(feature = "base")] {
+    /// use mip_protocol::{base::Ping, Client, Parser};
+    ///
+    /// let (mut client, mut parser) = (Client::new(), Parser::new());
+    /// assert_eq!(client.barrier(), None);
+    /// client.send(&Ping::new(), 0).unwrap();
+    /// assert_eq!(client.poll(&mut parser, 1000), None); // it has timed out
+    /// assert_eq!(client.barrier().unwrap().fields().count(), 2); // send this before the next command
+    /// # }
+    /// ```
     #[must_use = "the barrier must be sent"]
     pub fn barrier(&mut self) -> Option<Packet<'_>> {
         self.table_mut().barrier()
@@ -585,6 +597,16 @@ impl<const N: usize> Client<N> {
     ///
     /// Data, late replies and replies to other hosts create no events; [`Events::others`] returns
     /// them.
+    ///
+    /// ```
+    /// use mip_protocol::{packets, Client};
+    ///
+    /// let mut client = Client::new();
+    /// for packet in packets(b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A") {
+    ///     let events = client.receive(&packet);
+    ///     assert_eq!(events.others().count(), 1); // nothing was sent that it could answer
+    /// }
+    /// ```
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
         let (table, mut fields) = (self.table_mut(), packet.fields());
         if table.passes(&fields) {

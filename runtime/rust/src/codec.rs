@@ -9,7 +9,7 @@
 use core::fmt;
 
 use crate::bits::Number;
-pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid};
+pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, ReadError};
 use crate::list::Item;
 use crate::packet::MAX_FIELD_DATA;
 
@@ -21,7 +21,7 @@ pub trait Wire: Sized {
     const FIXED: bool = false;
 
     /// Reads one value.
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid>;
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError>;
 
     /// Writes the value.
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
@@ -33,7 +33,7 @@ pub trait Union: Sized {
     type Tag;
 
     /// Reads the alternative that a tag selects.
-    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, Invalid>;
+    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, ReadError>;
 
     /// Writes the value if it is the alternative that the tag selects.
     fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
@@ -42,12 +42,12 @@ pub trait Union: Sized {
 /// Items counted by another value. As a [`Wire`], they fill the rest of the data.
 pub trait Counted: Wire {
     /// Reads this number of items.
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid>;
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, ReadError>;
 }
 
 /// Reads values from the front of a field's data.
 ///
-/// It remembers the last error: its functions return only [`Invalid`], which is small and fast, and
+/// It remembers the last error: its functions return only [`ReadError`], which is small and fast, and
 /// [`Reader::error`] returns the details.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
@@ -94,19 +94,19 @@ impl<'a> Reader<'a> {
     }
 
     #[inline]
-    pub(crate) fn wrong(&mut self, kind: DecodeErrorKind, need: usize, got: usize) -> Invalid {
+    pub(crate) fn wrong(&mut self, kind: DecodeErrorKind, need: usize, got: usize) -> ReadError {
         (self.kind, self.need, self.got) = (kind, need, got);
-        Invalid
+        ReadError
     }
 
     /// Checks that this number of bytes is left.
     #[inline(always)]
-    pub fn require(&mut self, count: usize) -> Result<(), Invalid> {
+    pub fn require(&mut self, count: usize) -> Result<(), ReadError> {
         if count <= self.data.len() {
             return Ok(());
         }
         (self.kind, self.need) = (DecodeErrorKind::Truncated, count); // without bytes already read
-        Err(Invalid)
+        Err(ReadError)
     }
 
     // Every value is read with these two. They are inlined, so that the compiler removes checks
@@ -114,33 +114,33 @@ impl<'a> Reader<'a> {
 
     /// Reads the next `count` bytes.
     #[inline(always)]
-    pub fn take(&mut self, count: usize) -> Result<&'a [u8], Invalid> {
+    pub fn take(&mut self, count: usize) -> Result<&'a [u8], ReadError> {
         self.require(count)?;
         match (self.data.get(..count), self.data.get(count..)) {
             (Some(head), Some(tail)) => {
                 self.data = tail;
                 Ok(head)
             }
-            _ => Err(Invalid),
+            _ => Err(ReadError),
         }
     }
 
     /// Reads the next `N` bytes.
     #[inline(always)]
-    pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], Invalid> {
-        <[u8; N]>::try_from(self.take(N)?).map_err(|_| Invalid)
+    pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], ReadError> {
+        <[u8; N]>::try_from(self.take(N)?).map_err(|_| ReadError)
     }
 
     /// Reads the next value.
     #[inline]
-    pub fn read<T: Wire>(&mut self) -> Result<T, Invalid> {
+    pub fn read<T: Wire>(&mut self) -> Result<T, ReadError> {
         T::decode_from(self)
     }
 
     /// Checks that the next value is this constant.
     #[inline]
     #[allow(dead_code)] // few sets have constants
-    pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), Invalid> {
+    pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), ReadError> {
         let (need, got) = (value.to_bits(), self.read::<T>()?.to_bits());
         if need == got {
             return Ok(());
@@ -150,13 +150,13 @@ impl<'a> Reader<'a> {
 
     /// Reads as many items as a counter states.
     #[inline]
-    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, Invalid> {
+    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, ReadError> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
     }
 
     /// Reads the alternative that a tag selects.
     #[inline]
-    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, Invalid> {
+    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, ReadError> {
         U::decode_as(tag, self)
     }
 
@@ -166,7 +166,7 @@ impl<'a> Reader<'a> {
         &mut self,
         required: bool,
         tag: impl Into<Option<U::Tag>>,
-    ) -> Result<Option<U>, Invalid> {
+    ) -> Result<Option<U>, ReadError> {
         match tag.into() {
             Some(tag) => self.group(required, |reader| reader.union(tag)),
             None => Ok(None),
@@ -175,7 +175,7 @@ impl<'a> Reader<'a> {
 
     /// Reads a value that is a group by itself.
     #[inline]
-    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, Invalid> {
+    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, ReadError> {
         self.group(required, Self::read)
     }
 
@@ -187,8 +187,8 @@ impl<'a> Reader<'a> {
     pub fn group<T>(
         &mut self,
         required: bool,
-        read: impl FnOnce(&mut Self) -> Result<T, Invalid>,
-    ) -> Result<Option<T>, Invalid> {
+        read: impl FnOnce(&mut Self) -> Result<T, ReadError>,
+    ) -> Result<Option<T>, ReadError> {
         if required {
             return read(self).map(Some);
         }
@@ -200,7 +200,7 @@ impl<'a> Reader<'a> {
         match read(self) {
             // An empty union has no bytes, so it is the same as an absent one.
             Ok(value) if self.data.len() < mark.len() => Ok(Some(value)),
-            Err(Invalid) if self.kind != DecodeErrorKind::Truncated => Err(Invalid),
+            Err(ReadError) if self.kind != DecodeErrorKind::Truncated => Err(ReadError),
             _ => {
                 self.data = mark;
                 self.ended = true;
@@ -388,7 +388,7 @@ macro_rules! numbers {
             const FIXED: bool = true;
 
             #[inline]
-            fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+            fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
                 reader.bytes().map(Self::from_be_bytes)
             }
 
@@ -411,7 +411,7 @@ impl<T: Wire + Item, const N: usize> Wire for [T; N] {
     const FIXED: bool = T::FIXED;
 
     #[inline]
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         let mut items = Self::BLANK;
         for item in &mut items {
             *item = reader.read()?;
@@ -501,7 +501,7 @@ impl Wire for Bool {
     const FIXED: bool = true;
 
     #[inline]
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         reader.read().map(Self)
     }
 

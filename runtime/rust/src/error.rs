@@ -95,15 +95,22 @@ pub enum EncodeErrorKind {
 /// The data of a field is invalid; [`Reader::error`](crate::Reader::error) returns the reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Invalid;
+#[non_exhaustive]
+pub struct ReadError;
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the data is invalid")
+    }
+}
 
 /// No value of an enumeration has this name; from its `FromStr`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub struct UnknownName;
+pub struct NameError;
 
-impl fmt::Display for UnknownName {
+impl fmt::Display for NameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no value has this name")
     }
@@ -114,7 +121,7 @@ impl fmt::Display for UnknownName {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub struct OutOfRange {
+pub struct RangeError {
     /// The name of the field in the specification, `family.field`.
     pub field: &'static str,
     /// The name of the member, which may be in a structure of the field.
@@ -125,7 +132,7 @@ pub struct OutOfRange {
     pub range: &'static str,
 }
 
-impl fmt::Display for OutOfRange {
+impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { field, member, value, range } = self;
         write!(f, "{field}.{member}: {value} is out of range: {range}")
@@ -227,4 +234,4 @@ impl fmt::Display for EncodeError {
     }
 }
 
-error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind OutOfRange UnknownName);
+error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind NameError RangeError ReadError);

@@ -94,7 +94,9 @@ pub use sets::*;
 pub use bits::Bits;
 pub use client::{Client, CommandError, Event, Reason, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
-pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Invalid, OutOfRange};
+pub use error::{
+    DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, RangeError, ReadError,
+};
 pub use field::{
     Call, Command, Field, OneSet, RawField, Response, ResponseCheck, ResponseOf, Role, Takes,
 };

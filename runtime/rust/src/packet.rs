@@ -632,6 +632,15 @@ impl PacketBuilder {
 
     /// Appends a field, which must occur in the set of the packet.
     ///
+    /// ```
+    /// use mip_protocol::{protocol::Acknowledge, PacketBuilder};
+    ///
+    /// let mut builder = PacketBuilder::new(0x01.into());
+    /// builder.push(&Acknowledge { command: 1, code: 0.into() })?;
+    /// assert_eq!(builder.packet().bytes(), b"\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A");
+    /// # Ok::<(), mip_protocol::EncodeError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The field does not occur in the set, cannot be encoded, or does not fit.
@@ -669,6 +678,13 @@ impl PacketBuilder {
     }
 
     /// Appends a field from its bytes.
+    ///
+    /// ```
+    /// let mut builder = mip_protocol::PacketBuilder::new(0x01.into());
+    /// builder.push_raw(0x01, &[])?;
+    /// assert_eq!(builder.packet().bytes(), b"\x75\x65\x01\x02\x02\x01\xE0\xC6");
+    /// # Ok::<(), mip_protocol::EncodeError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -116,6 +116,14 @@ impl Parser {
 
     /// Accepts a chunk. Call a method of the returned [`Feed`] with a function that handles
     /// packets.
+    ///
+    /// ```
+    /// let (mut parser, mut count) = (mip_protocol::Parser::new(), 0);
+    /// for chunk in [&b"\x75\x65\x01\x02"[..], b"\x02\x01\xE0\xC6"] {
+    ///     parser.feed(chunk).for_each(|packet| count += packet.fields().count());
+    /// }
+    /// assert_eq!((count, parser.skipped()), (1, 0));
+    /// ```
     #[inline]
     pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
         Feed { parser: self, chunk }

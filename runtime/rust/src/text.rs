@@ -4,7 +4,7 @@ use core::fmt::{self, Write as _};
 use core::str;
 
 use crate::codec::{Counted, Reader, Wire, Writer};
-use crate::error::{EncodeErrorKind, Invalid};
+use crate::error::{EncodeErrorKind, ReadError};
 use crate::list::{Item, List};
 
 /// Exactly `N` characters.
@@ -21,6 +21,14 @@ use crate::list::{Item, List};
 pub struct Text<const N: usize>(pub [u8; N]);
 
 /// At most `N` characters.
+///
+/// ```
+/// use mip_protocol::{Text, VarText};
+///
+/// let text = VarText::<8>::new("GX5-15").unwrap();
+/// assert_eq!((text.len(), text.as_str()), (6, Ok("GX5-15")));
+/// assert_eq!(Text::from(text), Text::padded("GX5-15").unwrap());
+/// ```
 #[derive(Clone, Default, PartialEq, Eq, Hash)]
 pub struct VarText<const N: usize>(pub List<u8, N>);
 
@@ -37,6 +45,15 @@ impl<const N: usize> Text<N> {
     }
 }
 
+/// Pads the text with spaces to exactly `N` characters.
+impl<const N: usize> From<VarText<N>> for Text<N> {
+    fn from(text: VarText<N>) -> Self {
+        let mut bytes = [b' '; N];
+        bytes.iter_mut().zip(text.0.as_slice()).for_each(|(to, from)| *to = *from);
+        Self(bytes)
+    }
+}
+
 impl<const N: usize> VarText<N> {
     /// Converts a text; returns `None` if it is too long or not Latin-1.
     #[must_use]
@@ -46,14 +63,6 @@ impl<const N: usize> VarText<N> {
             list.push(u8::try_from(u32::from(c)).ok()?).ok()?;
         }
         Some(Self(list))
-    }
-
-    /// Pads the text with spaces to exactly `N` characters.
-    #[must_use]
-    pub fn padded(&self) -> Text<N> {
-        let mut bytes = [b' '; N];
-        bytes.iter_mut().zip(self.0.as_slice()).for_each(|(to, from)| *to = *from);
-        Text(bytes)
     }
 
     /// Returns the number of characters.
@@ -160,7 +169,7 @@ impl<const N: usize> Wire for Text<N> {
     const FIXED: bool = true;
 
     #[inline(always)]
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         reader.bytes().map(Self)
     }
 
@@ -173,7 +182,7 @@ impl<const N: usize> Wire for Text<N> {
 impl<const N: usize> Wire for VarText<N> {
     const SIZE: usize = N;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         reader.read().map(Self)
     }
 
@@ -183,7 +192,7 @@ impl<const N: usize> Wire for VarText<N> {
 }
 
 impl<const N: usize> Counted for VarText<N> {
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, ReadError> {
         reader.counted(u64::try_from(count).unwrap_or(u64::MAX)).map(Self)
     }
 }
@@ -215,7 +224,7 @@ mod serde_text {
 
     impl<'de, const N: usize> Deserialize<'de> for Text<N> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            VarText::<N>::deserialize(deserializer).map(|text| text.padded())
+            VarText::<N>::deserialize(deserializer).map(Self::from)
         }
     }
 }

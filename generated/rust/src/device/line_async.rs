@@ -222,6 +222,10 @@ impl CommandHalf {
     /// Sends a command, waits until the device has carried it out, and returns its response. A
     /// command of another task waits until then.
     ///
+    /// Unlike [`AsyncDevice::request`], this does not first take in what has arrived, which only the
+    /// other half reads. On a line where replies can come twice or out of order, such as UDP, such a
+    /// reply can therefore be taken for that of the next command of the same type.
+    ///
     /// Dropping the future cancels the command in the client, but not in the device, which may carry
     /// it out. Its reply answers no later command, because a barrier precedes the next one. If the
     /// port was still writing, only a part may have been sent.

@@ -399,7 +399,7 @@ impl<const N: usize> ToValue for Text<N> {
 
 impl<const N: usize> FromValue for Text<N> {
     fn from_value(value: &Value) -> Result<Self, ValueError> {
-        Ok(VarText::<N>::from_value(value)?.padded())
+        Ok(VarText::<N>::from_value(value)?.into())
     }
 }
 

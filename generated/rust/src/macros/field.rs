@@ -72,7 +72,7 @@ macro_rules! command {
             $(const TIMEOUT_MS: Option<u32> = Some($milliseconds);)?
 
             $(
-                fn check(&self) -> Result<(), $crate::OutOfRange> {
+                fn check(&self) -> Result<(), $crate::RangeError> {
                     $crate::range::$ranges::check_in(self, <Self as $crate::Field>::NAME)
                 }
             )?

@@ -32,12 +32,12 @@ macro_rules! open_enum {
 
         /// Finds the value with this name in the specification.
         impl ::core::str::FromStr for $name {
-            type Err = $crate::error::UnknownName;
+            type Err = $crate::error::NameError;
 
-            fn from_str(name: &str) -> ::core::result::Result<Self, $crate::error::UnknownName> {
+            fn from_str(name: &str) -> ::core::result::Result<Self, $crate::error::NameError> {
                 let mut values = Self::VALUES.iter().copied();
                 let called = |value: &Self| value.name() == ::core::option::Option::Some(name);
-                values.find(called).ok_or($crate::error::UnknownName)
+                values.find(called).ok_or($crate::error::NameError)
             }
         }
 
@@ -289,7 +289,7 @@ macro_rules! through {
             #[inline]
             fn decode_from(
                 reader: &mut $crate::Reader<'_>,
-            ) -> ::core::result::Result<Self, $crate::error::Invalid> {
+            ) -> ::core::result::Result<Self, $crate::error::ReadError> {
                 reader.read::<$inner>().map($made)
             }
 

@@ -115,7 +115,7 @@ macro_rules! wire {
 
             #[allow(unused_variables)]
             #[inline]
-            fn decode_from(reader: &mut $crate::Reader<'_>) -> Result<Self, $crate::error::Invalid> {
+            fn decode_from(reader: &mut $crate::Reader<'_>) -> Result<Self, $crate::error::ReadError> {
                 if Self::FIXED {
                     reader.require(Self::SIZE)?;
                 }
@@ -305,7 +305,7 @@ macro_rules! union {
             fn decode_as(
                 tag: $tag,
                 reader: &mut $crate::Reader<'_>,
-            ) -> Result<Self, $crate::error::Invalid> {
+            ) -> Result<Self, $crate::error::ReadError> {
                 Ok(match tag {
                     $(<$tag>::$value => Self::$variant $((reader.read::<$type>()?))?,)*
                     other => Self::Other(other),
@@ -420,12 +420,12 @@ macro_rules! ranges {
     ) => {
         #[doc(hidden)]
         impl $crate::range::Ranged for $name {
-            fn check_in(&self, field: &'static str) -> Result<(), $crate::OutOfRange> {
+            fn check_in(&self, field: &'static str) -> Result<(), $crate::RangeError> {
                 $($(
                     if let Some(value) =
                         $crate::range::Limited::outside(&self.$member, $crate::range::Bound::$bound($limit))
                     {
-                        return Err($crate::OutOfRange { field, member: $text, value, range: $range });
+                        return Err($crate::RangeError { field, member: $text, value, range: $range });
                     }
                 )+)*
                 $($crate::range::Ranged::check_in(&self.$part, field)?;)*
@@ -440,7 +440,7 @@ macro_rules! union_ranges {
     ($name:ident $($variant:ident)+) => {
         #[doc(hidden)]
         impl $crate::range::Ranged for $name {
-            fn check_in(&self, field: &'static str) -> Result<(), $crate::OutOfRange> {
+            fn check_in(&self, field: &'static str) -> Result<(), $crate::RangeError> {
                 match self {
                     $(Self::$variant(value) => value.check_in(field),)+
                     _ => Ok(()),

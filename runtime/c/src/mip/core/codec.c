@@ -192,9 +192,8 @@ bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set) {
     if (mip_set_has(descriptor_set, codec->descriptor_set)) {
         return true;
     }
-    const uint8_t *set = codec->program;
-    for (size_t left = codec->more_sets; left > 0; left--) {
-        if (*--set == descriptor_set) {
+    for (size_t i = codec->more_sets; i > 0; i--) {
+        if (*(codec->program - i) == descriptor_set) {
             return true;
         }
     }
