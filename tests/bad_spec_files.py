@@ -16,11 +16,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import pytest
 import yaml
 from mipgen.emit import build, discovery
-from mipgen.read import loader, nodes
-from mipgen.read.problems import Problems, SpecError
+from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
 from support import BUILD, locked
 
@@ -155,28 +153,6 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
     except SpecError as error:
         return [str(p).replace(f"{spec}/", "").replace(str(spec), ".") for p in error.problems]
     return []
-
-
-def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Files that were valid and have not changed are neither parsed nor checked again: for tests with many runs."""
-    good: dict[tuple[str, bytes], nodes.Node] = {}
-    judge = loader.check_schema
-
-    def quick_read(path: Path, name: str, problems: Problems) -> nodes.Node | None:
-        key = (name, path.read_bytes())
-        return good[key] if key in good else nodes.read(path, name, problems)
-
-    def quick_judge(kind: str, root: nodes.Node, problems: Problems) -> bool:
-        if any(root is known for known in good.values()):
-            return True
-        fine = judge(kind, root, problems)
-        if fine and not problems:
-            file = root.position.file
-            good[file, Path(file).read_bytes()] = root
-        return fine
-
-    monkeypatch.setattr(loader, "read", quick_read)
-    monkeypatch.setattr(loader, "check_schema", quick_judge)
 
 
 # --------------------------------------------------------------------------- messages that changed

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import yaml
-from bad_spec_files import BASE, only_what_changed
+from bad_spec_files import BASE
 from mipgen.read import nodes
 from mipgen.read.loader import LAYOUT
 from mipgen.read.problems import Problems, SpecError
@@ -45,11 +45,6 @@ ODD_VALUES = [
 ]
 
 Tree = Any
-
-
-@pytest.fixture(autouse=True)
-def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    only_what_changed(monkeypatch)
 
 
 def files(spec: Path) -> dict[str, Tree]:
