@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from bad_spec_files import BASE
 from mipgen import cli
-from mipgen.emit import output, render
+from mipgen.emit import discovery, output
 from mipgen.resolve.load import load_model
 from support import ROOT, tree
 
@@ -79,7 +79,7 @@ def test_a_new_language_is_one_folder(folder: Path, capsys: pytest.CaptureFixtur
     assert len(rows) == len(load_model(SPEC).fields) + 1
     assert "0x01,0x01,tools.ping," in rows
     assert made(folder, "csv/.manifest") == f"{output.HEADER}\nLICENSE\nfields.csv\n"
-    assert {p.name for p in (folder.parent / "out").iterdir()} == {"csv", *render.all_names()}
+    assert {p.name for p in (folder.parent / "out").iterdir()} == {"csv", *discovery.target_names()}
     capsys.readouterr()
     assert cli.main(["targets", "--target-path", str(folder)]) == 0
     assert f"csv        a table of all fields  [{folder / 'csv'}]\n" in capsys.readouterr().out

@@ -13,7 +13,7 @@ import golden
 import pytest
 from mipgen import cli
 from mipgen.base import resources
-from mipgen.emit import output, render
+from mipgen.emit import discovery, output
 from support import ROOT, SPECS, all_fields, model, parse_as, tree
 
 SPEC = ("--spec", "tests/invented/spec")
@@ -75,7 +75,7 @@ def test_generated_text_says_nothing_of_the_machine() -> None:
 
 
 def test_every_folder_stands_alone() -> None:
-    for name in render.all_names():
+    for name in discovery.target_names():
         folder = OUTPUT / name
         assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
         assert (folder / "README.md").is_file()
@@ -87,7 +87,7 @@ def test_command_line_names_what_is_wrong(capsys: pytest.CaptureFixture[str], tm
     assert cli.main(["validate", "--spec", str(tmp_path)]) == 1
     assert "protocol.yaml is missing" in capsys.readouterr().err
     assert cli.main(["generate", "--spec", str(SPECS["real"][0]), "--target", "cobol"]) == 1
-    assert f"unknown target 'cobol'; known: {', '.join(render.all_names())}" in capsys.readouterr().err
+    assert f"unknown target 'cobol'; known: {', '.join(discovery.target_names())}" in capsys.readouterr().err
 
 
 # --------------------------------------------------------------------------- counts, derived and held together

@@ -14,13 +14,14 @@ import pkgutil
 import re
 import sys
 import traceback
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mipgen.base import resources
 from mipgen.base.errors import Failure
+from mipgen.read.problems import nearest
 
 if TYPE_CHECKING:
     from .target import Target
@@ -88,7 +89,7 @@ def targets(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str
             name, module = folder.name, folder / MODULE
             before = by_name.get(name)
             if before is None and not module.is_file():
-                near = _nearest(name, by_name)
+                near = nearest(name, by_name)
                 raise Failure(f"{MODULE} is missing, and there is no target '{name}'{near}", str(folder))
             by_name[name] = Source(
                 name,
@@ -123,7 +124,7 @@ def chosen(
     by_name = targets(paths, plugins)
     for name in wanted or ():
         if name not in by_name:
-            raise Failure(f"unknown target '{name}'{_nearest(name, by_name)}")
+            raise Failure(f"unknown target '{name}'{nearest(name, by_name)}")
     sources = [source for name, source in by_name.items() if not wanted or name in wanted or source.program]
     return _without(sources, without) if without else sources
 
@@ -144,9 +145,3 @@ def _folders(path: Path) -> Iterator[Path]:
     if not folders:
         raise Failure(f"this folder contains no target; add one: {path}/<name>/{MODULE}", str(path))
     yield from folders
-
-
-def _nearest(name: str, names: Iterable[str]) -> str:
-    from mipgen.read.problems import nearest  # imports the model, which is not needed if nothing has changed
-
-    return nearest(name, names)

@@ -17,21 +17,11 @@ from mipgen.model import Model
 from . import discovery, formatting, output
 from .discovery import Source
 from .naming import Identifier
-from .target import File, Target
+from .target import File
 
 if TYPE_CHECKING:
     from mipgen.model import Device, Family, Field, Set, Struct
     from mipgen.model.guides import Guide
-
-
-def all_names() -> list[str]:
-    """Returns the names of all built-in targets, in order."""
-    return discovery.target_names()
-
-
-def target(name: str) -> Target:
-    """Loads a built-in target."""
-    return discovery.targets()[name].load()
 
 
 def language(name: str) -> dict[str, Any]:

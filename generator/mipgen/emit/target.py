@@ -37,14 +37,6 @@ class File:
     of: Family | Set | Field | Struct | Device | Guide | None = None
 
 
-def _all(files: Mapping[str, bytes], _: Model) -> Mapping[str, bytes]:
-    return files
-
-
-def _no_identifiers(_: Model) -> Iterable[Identifier]:
-    return ()
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
     """A language, a format or a document that is made from a specification; `TARGET` of a target's module."""
@@ -56,12 +48,12 @@ class Target:
     #: The filters of its templates, by name: functions that write literals and comments.
     filters: Filters = field(default_factory=dict)
     #: Selects the files to copy, by path; by default all.
-    runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = _all
+    runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = lambda files, _: files
     #: What users can leave out with `--without`: by name, a pattern of the paths.
     parts: Mapping[str, str] = field(default_factory=dict)
     #: Yields every name that the output defines, with its scope, so that impossible names are found before anything
     #: is written.
-    identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
+    identifiers: Callable[[Model], Iterable[Identifier]] = lambda _: ()
     #: The names that the language accepts; by default all.
     grammar: Grammar | None = None
     #: Formats the output, so that templates need not care about line breaks.
