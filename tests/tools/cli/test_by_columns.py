@@ -234,9 +234,9 @@ def test_messages(
     assert set(kinds) == {one[0] for one in found}
     for some in (kinds, kinds[::2]):
         wanted = [
-            (kind, time, own, number, encoded(value, named, None))
+            (kind, time, own, number, encoded(value, named, log.reads(type(value))))
             for kind, time, own, number, value in found
-            if kind in some and (invalid == "keep" or messages.all_valid(value, log.device))
+            if kind in some and (invalid == "keep" or messages.all_valid(value, log.reads(type(value))))
         ]
         batches = messages.Messages(some, selection, clock, invalid, messages.Json(named)).of_log(log)
         made = [

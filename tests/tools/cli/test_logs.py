@@ -19,7 +19,20 @@ import pytest
 from mip_protocol import Packet, PacketBuilder, Parser, base, filter_data, registry, sensor, shared
 from mip_tools.errors import Failure
 from mip_tools.files import outputs
-from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, on_a_full_disk, run, running, until
+from program import (
+    DEVICE,
+    ENVIRONMENT,
+    PATIENCE,
+    RATES,
+    RECOGNIZED,
+    command,
+    log,
+    mip,
+    on_a_full_disk,
+    run,
+    running,
+    until,
+)
 from support import heavy, later, rounds
 
 pq = later("pyarrow.parquet")
@@ -65,9 +78,10 @@ def test_what_is_in_a_log(path: Path) -> None:
     damaged = len(bytes(Parser().feed(log())[7]))
     assert lines[0] == f"{path}: {path.stat().st_size / 1000:.3g} kB, {count} packets"
     assert lines[1].startswith("time: 2024-01-06T23:59:42.") and lines[1].endswith("0 s (gps clock, as UTC)")
-    assert lines[2].startswith(f"skipped: {len(NOISE) + damaged + 5} bytes (")
-    assert lines[2].endswith(" in 2 places: 2 damaged packets, 1 NMEA sentence")
-    table = {line.split("  ")[0].strip(): line.split()[-2:] for line in lines[4:] if line}
+    assert lines[2] == RECOGNIZED
+    assert lines[3].startswith(f"skipped: {len(NOISE) + damaged + 5} bytes (")
+    assert lines[3].endswith(" in 2 places: 2 damaged packets, 1 NMEA sentence")
+    table = {line.split("  ")[0].strip(): line.split()[-2:] for line in lines[5:] if line}
     for number, fields in RATES.items():
         (name,) = (key for key in table if f"(0x{number:02X})" in key)
         fastest = min(decimation for _, decimation in fields)
@@ -233,7 +247,7 @@ def test_json_lines(path: Path) -> None:
             vector = tuple(found[f"sensor.scaled_accel.{axis}"] for axis in "xyz")
             assert sensor.ScaledAccel(vector).encode() == accel.encode()
         if status := filter_data.Status.find(packet):
-            assert found["filter_data.status.filter_state"] == status.to_dict()["filter_state"]
+            assert found["filter_data.status.filter_state"] == status.to_dict(device=DEVICE)["filter_state"]
 
 
 def test_any_field_can_be_exported(tmp_path: Path) -> None:
@@ -254,7 +268,7 @@ def test_any_field_can_be_exported(tmp_path: Path) -> None:
         code, printed, error = mip(*words)
         assert (code, printed) == (0, "")
         assert re.fullmatch(
-            r"(mip export: .*no date: .*\n)?", error
+            r"(mip export: .*recognized\)\n)?(mip export: .*no date: .*\n)?", error
         )  # what is in it decides whether any time is a date
         if form == "jsonl":
             assert len([json.loads(line) for line in out.read_text().splitlines()]) == count > 200

@@ -429,6 +429,55 @@ def test_dump_reads_flags_by_the_device_in_the_log(more: tuple[str, ...], tmp_pa
 _RECOGNIZED = "flags read as those of generations 4 and 5 (recognized)"
 
 
+def status(*values: int) -> Field:
+    return 0x10, struct.pack(">3H", *values)
+
+
+_OLD, _NEW = stamp(0x11, 100, 0, 0), stamp(0xD3, 100, 0, 0)
+#: Data without information about the device, and its filter's status by name.
+STATUS = {
+    # Bit 12 has a meaning in this state only, and only on older devices.
+    "a filter in initialization": ([_OLD, status(1, 1, 0x1000)], "init portable init_no_attitude"),
+    "position and velocity": ([_OLD, (0x02, bytes(14)), status(2, 3, 0)], "run_solution_valid airborne"),
+    "a later filter": ([_NEW, status(4, 1, 1)], "full_nav default filter_condition=stable"),
+    "a field of later devices": (
+        [_NEW, (0x46, bytes(7)), status(2, 1, 1)],
+        "vertical_gyro default filter_condition=stable",
+    ),
+    "of any device": ([_OLD, status(2, 1, 1)], "2 1 1"),
+}
+
+
+@pytest.mark.parametrize("fields", STATUS)
+@pytest.mark.parametrize(
+    "words",
+    [
+        "dump LOG", "dump LOG --tree", "dump LOG --json", "dump - --json", "monitor - --duration 1", "info LOG",
+        "doctor LOG",
+        "export LOG -o - --names", "export - -o - --names --format jsonl", "stream LOG --names",
+        "export LOG -o OUT.mcap --names",
+        "stream LOG --names --format csv", "export LOG -o OUT.parquet --names",
+    ],
+)  # fmt: skip
+def test_a_device_is_recognized_alike_by_all_commands(words: str, fields: str, tmp_path: Path) -> None:
+    packets, wanted = STATUS[fields]
+    data = packet(0x82, *packets) * 3
+    path, out = written(tmp_path, data), next((w for w in words.split() if w.startswith("OUT")), "")
+    _, text, error = mip(*(path if w == "LOG" else tmp_path / w if w == out else w for w in words.split()), data=data)
+    if out.endswith(".mcap"):
+        with open(tmp_path / out, "rb") as file:
+            text = " ".join(message.data.decode() for *_, message in mcap.make_reader(file).iter_messages())
+    elif out:
+        text = " ".join(map(str, later("pyarrow.parquet").read_table(tmp_path / out).to_pylist()))
+    named = wanted[0].isalpha()
+    generations = "4 and 5" if "portable" in wanted or "airborne" in wanted else "7"
+    assert ("filter_data.status: flags read as those of generation" in text + error) == named
+    assert f"{generations} (recognized)" in text + error or not named
+    if not words.startswith(("info", "doctor")):
+        assert all(word in text for word in wanted.replace("=", " ").split()), text
+    assert read_log(data).assumed() == re.findall("filter_data.status: flags.*\\)", text + error)[:1]
+
+
 def test_what_is_assumed_is_known_from_the_beginning(tmp_path: Path) -> None:
     assumed = {name: read_log(b"".join(CASES[name].packets)).assumed() for name in ("three flags", "five flags")}
     assert [text.partition(": ")[2] for text in assumed["three flags"]] == [_RECOGNIZED]

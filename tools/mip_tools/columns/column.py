@@ -23,8 +23,7 @@ class Owner(Protocol):
 
     sender: Sender
 
-    @property
-    def device(self) -> str | None: ...
+    def reads(self, kind: type[Field]) -> str | None: ...
     def times(self, column: Column[Any], clock: str | None = None) -> Times: ...
     def objects(self, kind: type[F], set_number: int | None = None) -> Iterator[F]: ...
 
@@ -101,18 +100,9 @@ class Column(Generic[F]):
     @cached_property
     def parameters(self) -> Mapping[str, Parameter]:
         """The description of each column: type, unit, frame, range, flags."""
-        device = self._log.device
-        described_parameters = described_columns(info(self.type).parameters, "")
-        return {name: self._recognized(name, p) if device is None else p.on(device) for name, p in described_parameters}
-
-    def _recognized(self, name: str, p: Parameter) -> Parameter:
-        """Returns the parameter as it is on the device that sent the flags in the log."""
-        record = name.rpartition(".")[0]
-        for attribute in p.holders:
-            path = f"{record}.{attribute}" if record else attribute
-            if len(self) and isinstance(self._values[path], np.ndarray):
-                return self._log.sender.recognized(self._log, self.type, p, path)
-        return p
+        self._log.reads(self.type)  # so that all of the log is known
+        recognized = self._log.sender.recognized
+        return {name: recognized(self.type, p) for name, p in described_columns(info(self.type).parameters, "")}
 
     @cached_property
     def titles(self) -> Mapping[str, str]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, overload
 
 from ..binding import Field
 from ..names.occurrence import every, occurrence_in
-from . import contents, frames, timeline, times
+from . import contents, frames, times
 from .column import Column
 from .contents import TypeCount
 from .packets import Kind, Packets
@@ -63,11 +63,10 @@ class Log(Packets):
         name = repr(origin) if isinstance(origin, str) else "in memory"
         return f"<Log {name}: bytes {self.begin} to {self.end}>"
 
-    def assumed(self) -> list[str]:
-        """Returns in a line each what is assumed about the device: who it is, or how its flags are read."""
-        if self.device is None:
-            timeline.of_log(self)  # reads the flags of all timestamps
-        return self.sender.assumed(self)
+    def assumed(self, names: bool = True) -> list[str]:
+        """Returns in a line each what is assumed about the device: who it is, or how its flags are read. `names`: also
+        if that only names values."""
+        return self.sender.assumed(self, names)
 
     # ----------------------------------------------------------------- columns
 

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 
 from ..binding import Field
+from ..devices.known import varied
 from . import scan, walk
 from .column import Column
 from .piece import NOTHING, Piece
@@ -82,6 +83,13 @@ class Packets(ABC):
         """The id of the device that sent the log: the named one, else that of the replies in the log, if there are
         any."""
         return self.sender.device(self)
+
+    def reads(self, kind: type[Field]) -> str | None:
+        """Returns the id of the device as which a field is read: that of the log, else one that stands for all that may
+        have sent it, if they read the field alike."""
+        if self.device is None and varied(kind):
+            self.sender.survey(self)
+        return self.sender.reads(kind)
 
     # ----------------------------------------------------------------- packets
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from ..binding import DEVICES, BitsInfo, Field, Parameter, info
-from ..devices.known import KnownDevice, identity_type, in_words
-from ..names.occurrence import every
+from ..binding import registry
+from ..devices.known import KnownDevice, identity_type, named_by_device
+from ..names.occurrence import occurrence_in
 from . import scan, walk
 from .distinct import distinct
 from .scan import Array
@@ -21,71 +21,53 @@ _PART = 1 << 24
 
 
 class Sender(KnownDevice):
-    """The device of a log or of a stream. Of an unknown device, all flags seen so far decide together how they are
-    read."""
+    """The device of a log or of a stream."""
 
     def __init__(self, named: str | KnownDevice | None = None, at_port: str | None = None) -> None:
         """See `KnownDevice`; one that is given continues to learn."""
         if isinstance(named, KnownDevice):
-            self.named, self._devices, self._reported = named.named, named._devices, named._reported
+            vars(self).update(vars(named))
         else:
             super().__init__(named, at_port)
-        self._bits: dict[tuple[type[Field], str], int] = {}
-        self._recognized: dict[str, tuple[str, ...]] = {}
 
     def device(self, log: Any) -> str | None:
         """Returns the id of the device."""
-        if self.named is None:
-            self._search(log)
-        return self.id
-
-    def _search(self, log: Any) -> None:
-        if "searched" not in log.source.notes:
+        if self.named is None and "searched" not in log.source.notes:
             log.source.notes["searched"] = True
             for reply in identity_replies(log):
                 self.add_reply(reply, "from the log")
+        return self.id
 
-    def recognized(self, log: Any, kind: type[Field], p: Parameter, path: str) -> Parameter:
-        """Returns a parameter as it is on an unknown device; `path` names the column with its flags."""
-        key = (kind, path)
-        if key not in log.source.notes:
-            log.source.notes[key] = True
-            self._bits[key] = self._bits.get(key, 0) | _bits(log, kind, path, p)
-        here = p.recognized(self._bits[key])
-        if here.flags != p.readings[-1].flags and self._bits[key]:
-            devices = next(r.devices for r in p.readings if r.flags == here.flags)
-            self._recognized[f"{kind.NAME}.{path}"] = devices
-        return here
+    def survey(self, log: Any) -> None:
+        """Learns from all fields of a log, unless the device is known."""
+        if self.device(log) is None and "surveyed" not in log.source.notes:
+            log.source.notes["surveyed"] = True
+            whole = log.whole()
+            for part in whole.parts(_PART) if whole.size > _PART else (whole,):
+                runs = (run for piece in part.pieces() for run in piece.runs or ())
+                fields = {(run.set, run.descriptor) for run in runs if run.set >= 0x80}
+                self.add_fields(fields)
+                kinds = [
+                    occurrence_in(number, kind)
+                    for number, descriptor in sorted(fields)
+                    for kind in registry.types(number, descriptor)
+                    if named_by_device(kind)
+                ]
+                for column in part.columns(kinds) if kinds else ():
+                    names = named_by_device(column.type) if len(column) else ()
+                    self.add_values(column.type, {name: _numbers(np.asarray(column[name])) for name in names})
 
-    @property
-    def family(self) -> set[str]:
-        """The devices whose flags are like those in the log; none if the log does not show it."""
-        return set.intersection(*map(set, self._recognized.values())) if self._recognized else set()
+    def assumed(self, log: Any, names: bool) -> list[str]:
+        """Says in a line each what is assumed about the device; see `lines`."""
+        self.survey(log)
+        return self.lines(names)
 
-    def senders(self, column: Any, able: Iterable[str]) -> set[str]:
-        """Returns which of these devices may have sent a field: its values, and all flags seen so far, have a meaning
-        on them. If the values decide, `assumed` says so."""
-        able = set(able) & self.family or set(able)
-        found = able
-        for p in info(column.type).parameters:
-            kinds = {p.on(device).type for device in able}
-            if len(kinds) > 1 and len(column):
-                values = distinct(np.asarray(column[p.attribute])).tolist()
-                meant = {
-                    kind: kind is not None and all(_means(info(kind), value) for value in values) for kind in kinds
-                }
-                found = {device for device in found if meant[p.on(device).type]} or found
-        if found < able:
-            self._recognized.setdefault(column.type.NAME, tuple(sorted(found)))
-        return found
 
-    def assumed(self, log: Any) -> list[str]:
-        """Says in a line each what was assumed about the device."""
-        self._search(log)
-        same = [
-            f"{name}: flags read as those of {_those_of(them)} (recognized)" for name, them in self._recognized.items()
-        ]
-        return [*self.lines(), *(same if self.id is None else [])]
+def _numbers(values: Array) -> list[int]:
+    """Returns the different numbers in a column; bitfields in bytes have a column for each byte."""
+    if values.ndim == 1:
+        return [*map(int, distinct(values))]
+    return [int.from_bytes(row, "little") for row in {row.tobytes() for row in values}]
 
 
 def identity_replies(log: Any) -> list[Any]:
@@ -116,33 +98,3 @@ def identifies(data: Array, at: Array) -> Array:
         for run in walk.find_runs(data, at[own], data[at[own] + 2]) if len(own) else ():
             found[own[run.packet]] |= run.descriptor == kind.DESCRIPTOR
     return found
-
-
-def _bits(log: Any, kind: type[Field], path: str, p: Parameter) -> int:
-    """Returns all bits that are set in these flags anywhere in the log, or enough to know how they are read."""
-    bits = 0
-    whole = log.whole()
-    for part in whole.parts(_PART) if whole.size > _PART else (whole,):
-        for column in part.columns(every(kind)):
-            if len(column):
-                bits |= int(np.bitwise_or.reduce(np.asarray(column[path])))
-        if bits and p.recognized(bits).flags == p.readings[-1].flags:
-            break
-    return bits
-
-
-def _means(about: Any, value: int) -> bool:
-    """Has a value of an enumeration, or each part of a bitfield, a meaning?"""
-    if not isinstance(about, BitsInfo):
-        return value in about.names
-    parts = [(bit.type, (value & bit.mask) >> bit.first) for bit in about.bits if bit.type is not None]
-    known = sum(bit.mask for bit in about.bits if not bit.alias)
-    return not value & ~known and all(part in info(kind).names for kind, part in parts)
-
-
-def _those_of(devices: tuple[str, ...]) -> str:
-    """Names devices by their generations."""
-    generations = sorted({DEVICES[device].generation or 0 for device in devices})
-    if not all(generations):
-        return in_words([DEVICES[device].title for device in devices])
-    return f"generation{'s' * (len(generations) > 1)} {in_words([*map(str, generations)])}"

@@ -13,7 +13,7 @@ from ..binding import SECOND, from_date
 from ..errors import Failure, Misuse
 from ..files import outputs
 from ..logs import inputs
-from ..logs.assumed import no_date
+from ..logs.assumed import no_date, print_assumptions
 from ..logs.bounds import Bounds, When
 from ..names.selection import Selection
 from ..options import add_device, add_selection
@@ -81,6 +81,8 @@ def run(options: argparse.Namespace) -> int:
         if bounds.timed or inputs.is_log(options.file):
             log = stack.enter_context(inputs.open_columns(options.file, options.device))
             clock = _clock(log, options.file, bounds) if bounds.timed else None
+            if clock:
+                print_assumptions("cut", log, False, False)
             parts = ((0, part) for part in log.parts(PART))
         within = Within(bounds, clock)
         out = stack.enter_context(outputs.whole(options.output))

@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
         _check(options.input)
     shown = packets = bytes_skipped = 0
     begin = b""  # before the first packet
-    for piece, device in _pieces(bytes_given or b"", options.device) if explain else _arriving(options):
+    for piece, device in _pieces(bytes_given or b"", KnownDevice(options.device)) if explain else _arriving(options):
         if piece is None:
             sys.stdout.flush()  # so that a reader of a pipe sees each packet at once
         elif piece.packet is None:
@@ -78,7 +78,9 @@ def run(options: argparse.Namespace) -> int:
             if options.count is not None and shown >= options.count:
                 return 0
     if not packets and (packet := without_checksum(begin)) is not None:
-        if not _show(Piece(0, bytes(packet), packet), options.device, selection, options, as_tree, explain):
+        if not _show(
+            Piece(0, bytes(packet), packet), KnownDevice(options.device), selection, options, as_tree, explain
+        ):
             _none_shown(1)
         print(f"mip dump: without checksum; it would be {show.spaced_bytes(bytes(packet)[-2:])}", file=sys.stderr)
         return 0
@@ -92,18 +94,18 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _show(
-    piece: Piece, device: str | None, selection: Selection, options: argparse.Namespace, as_tree: bool, explain: bool
+    piece: Piece, device: KnownDevice, selection: Selection, options: argparse.Namespace, as_tree: bool, explain: bool
 ) -> bool:
     """Prints a packet. Returns False if it has none of the selected fields."""
     assert piece.packet is not None
-    fields = show.selected(piece.packet, selection)
+    fields, reads = show.selected(piece.packet, selection), device.reads
     if not fields and not selection.everything:
         return False
     if options.json:
-        print(objects.packet(piece.offset, piece.packet, fields, device, options.raw))
+        print(objects.packet(piece.offset, piece.packet, fields, reads, options.raw))
     else:
         place = "" if explain else f"{piece.offset:08x} "
-        lines = show.tree(piece.packet, fields, device) if as_tree else [show.line(piece.packet, fields, device)]
+        lines = show.tree(piece.packet, fields, reads) if as_tree else [show.line(piece.packet, fields, reads)]
         print(place + "\n".join([*lines, *([f"  {piece.data.hex(' ')}"] if options.raw else [])]))
     return True
 
@@ -119,8 +121,8 @@ def _none_shown(packets: int) -> None:
     print(f"mip dump: {count_text(packets, 'packet')}, none with these fields", file=sys.stderr)
 
 
-def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, str | None]]:
-    """Yields what arrives from each input, with the id of the device there, as far as it is known."""
+def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, KnownDevice]]:
+    """Yields what arrives from each input, with what is known of the device there."""
     for name in options.input:
         device = KnownDevice(options.device)
         if inputs.is_port(name):
@@ -137,7 +139,7 @@ def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, str |
                 device.learn(piece.packet)
             for text in device.news():
                 print(f"mip dump: {text}", file=sys.stderr)
-            yield piece, device.id
+            yield piece, device
 
 
 def _check(arguments: list[str]) -> None:
@@ -150,6 +152,6 @@ def _check(arguments: list[str]) -> None:
         raise Misuse("an odd number of hexadecimal digits; each byte needs two")
 
 
-def _pieces(data: bytes, device: str | None) -> Iterator[tuple[Piece, str | None]]:
+def _pieces(data: bytes, device: KnownDevice) -> Iterator[tuple[Piece, KnownDevice]]:
     scanner = Scanner()
     yield from ((piece, device) for piece in [*scanner.feed(data), *scanner.flush()])

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from ..binding import DEVICES, BitsInfo, UnknownName, info, registry, timestamps
+from ..binding import BitsInfo, UnknownName, info, registry, timestamps
 from ..columns import Log
 from ..columns.scan import Array
 from ..columns.states import in_state
+from ..devices.known import named_by_device
 from .examined import Key, SeldomValid, Warned
 
 #: A field is seldom valid if a smaller share of its values is.
@@ -21,58 +22,43 @@ _SELDOM = 0.5
 class Flags:
     """The counts of warning bits, by set and descriptor."""
 
-    def __init__(self, device: str | None) -> None:
-        self._device = device
+    def __init__(self, log: Log) -> None:
+        self._reads = log.reads
         self._watched: dict[Key, _Watched] = {}
         self._valid: dict[Key, _Valid] = {}
         self._state = ""
-        self._able = set(DEVICES)  # those that send all fields so far
-        self._open: dict[Key, Any] = {}  # types of fields whose flags depend on which of these sends them
+        self._unnamed: dict[str, None] = {}
 
     @property
     def unnamed(self) -> list[str]:
-        """The fields whose flags depend on the device, which neither is known nor follows from its fields."""
-        return list(dict.fromkeys(kind.NAME for kind in self._open.values()))
+        """The fields whose flags depend on the device, which neither is known nor follows from its data."""
+        return list(self._unnamed)
 
     def watch(self, key: Key, kind: Any) -> None:
         """Starts counting the warning bits of a type of field, if it has any."""
         if kind is None:
             return
-        self._open[key] = kind
-        self._narrow({device for device in self._able if DEVICES[device].has(*key)})
+        places = list(self._places(kind))
+        if places:
+            self._watched[key] = _Watched(kind, places)
         if not timestamps.clocks_of(*key) and any(p.flags for p in info(kind).parameters):
             self._valid[key] = _Valid(kind)
 
-    def _narrow(self, devices: set[str]) -> None:
-        """Notes that one of these devices sends the data, unless these are none."""
-        self._able = self._able & devices or self._able
-        for key, kind in list(self._open.items()):
-            del self._open[key]
-            places = list(self._places(key, kind))
-            if places:
-                self._watched[key] = _Watched(kind, places)
-
-    def _places(self, key: Key, kind: Any) -> Iterator[tuple[str, list[Any]]]:
+    def _places(self, kind: Any) -> Iterator[tuple[str, list[Any]]]:
         """Yields the parameters with warning bits."""
-        devices = self._able if self._device is None else {self._device}
+        device = self._reads(kind)
         for p in info(kind).parameters:
-            recognized = any(p.attribute in q.holders for q in info(kind).parameters)
-            kinds = {p.on(device).type for device in devices if not recognized} or {p.type}
-            if len(kinds) > 1:
-                self._open[key] = kind
-                continue
-            (its_type,) = kinds
-            if its_type is None or p.kind != "scalar":
-                continue
-            about = info(its_type)
+            on = named_by_device(kind).get(p.attribute)
+            if on and device is None and not any(p.attribute in q.holders for q in info(kind).parameters):
+                self._unnamed[kind.NAME] = None
+            its_type = on[device] if on and device is not None else p.type
+            about = info(its_type) if its_type is not None and p.kind == "scalar" else None
             bits = [bit for bit in about.bits if bit.concerns] if isinstance(about, BitsInfo) else []
             if bits:
                 yield p.attribute, bits
 
     def add(self, log: Log) -> None:
         """Counts the bits in the next part of a log."""
-        for (number, _), kind in list(self._open.items()):
-            self._narrow(log.sender.senders(log.column(kind, number), self._able))
         columns = log.columns([(number, watched.kind) for (number, _), watched in self._watched.items()])
         for watched, column in zip(self._watched.values(), columns):
             if len(column):
@@ -100,11 +86,9 @@ class Flags:
         except (UnknownName, LookupError):
             return
         if len(column):
-            number = int(column["filter_state"][-1])
-            p = column.parameters["filter_state"]
-            kinds = {p.on(device).type for device in (self._able if self._device is None else {self._device})}
-            names = {info(kind).names.get(number, "") for kind in kinds if kind is not None}
-            self._state = f"filter_state {number}{f' ({names.pop()})' if len(names) == 1 else ''}"
+            number, kind = int(column["filter_state"][-1]), column.parameters["filter_state"].type
+            name = info(kind).names.get(number) if kind is not None else None
+            self._state = f"filter_state {number}{f' ({name})' if name else ''}"
 
     def seldom_valid(self) -> Iterator[SeldomValid]:
         """Yields the fields that are not valid most of the time, and not at the end."""

@@ -83,7 +83,7 @@ class Examination:
         self._events: list[Event] = []
         self._noted: list[_Noted] = []
         self._skipped = Skipped()
-        self._flags = Flags(log.device)
+        self._flags = Flags(log)
         self._values = Values()
         self._sets: dict[int, _Set] = {}
         self._in_order = line.clocks(line.sets).in_order

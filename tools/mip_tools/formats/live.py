@@ -70,7 +70,7 @@ def messages(
     inputs.need_numpy()
     from .messages import Json, Messages
 
-    logs = _logs(arriving, device, options.command)
+    logs = _logs(arriving, device, options.command, options.named)
     first = next(logs, None)
     clocks = _clocks(first, options)
     clock = None if options.time == "none" else (clocks.dated if options.time == "utc" else clocks.steady) or None
@@ -87,7 +87,9 @@ def messages(
     return messages_of_logs(), clock, form.topic
 
 
-def _logs(arriving: Iterator[Piece | None], device: str | KnownDevice | None, command: str) -> Iterator[Log]:
+def _logs(
+    arriving: Iterator[Piece | None], device: str | KnownDevice | None, command: str, named: bool
+) -> Iterator[Log]:
     """Yields a stream as logs, of which each continues the times and the flags of the one before."""
     inputs.need_numpy()
     from ..columns import read_log
@@ -99,9 +101,10 @@ def _logs(arriving: Iterator[Piece | None], device: str | KnownDevice | None, co
         with read_log(b"".join(piece.data for piece in batch if piece.packet is not None), device=sender) as log:
             line = line.following()
             line.add(log)
+            sender.survey(log)
             log.source.notes["timeline"] = line
             yield log
-            for text in sender.news():
+            for text in sender.news(named):
                 print(f"mip {command}: {text}", file=sys.stderr)
 
 
@@ -135,7 +138,8 @@ def _write_table(
     from . import writers
 
     arrivals: list[tuple[int, float]] = []
-    logs = _logs(_noted(arriving, arrivals, gaps) if host or gaps is not None else arriving, device, options.command)
+    arriving = _noted(arriving, arrivals, gaps) if host or gaps is not None else arriving
+    logs = _logs(arriving, device, options.command, options.named)
     first = next(logs, None)
     clocks = _clocks(first, options)
     wanted = tables.Form(

@@ -21,6 +21,7 @@ from ..names.occurrence import Occurrence, occurrence_in
 from ..names.selection import Selection
 from ..text import row_texts
 from ..text.decoding import decoded_field
+from ..text.show import Reads
 from .json_messages import SEPARATORS, Batch, Topic, clock_of, encoded
 
 #: Bytes of a log whose messages are in memory at the same time.
@@ -53,7 +54,7 @@ class MessageExport:
         with inputs.open_columns(name, options.device) as log:
             self.types, clocks = survey_messages(log, selection)
             self._clock = clock_of(clocks, options)
-            print_assumptions("export", log)
+            print_assumptions("export", log, names=options.named)
 
 
 #: Some rows of a column as objects.
@@ -63,7 +64,7 @@ Objects = Callable[[Array], Iterator[Field]]
 class Form(Protocol):
     """Makes messages in one form."""
 
-    device: str | None  # the id of the device that sent the fields, as far as it is known
+    reads: Reads  # as which device a field is read
 
     def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[Any] | None:
         """Makes the messages of all rows of a column; None if they depend on more than its values."""
@@ -77,14 +78,14 @@ class Json:
 
     def __init__(self, named: bool) -> None:
         self._named = named
-        self.device: str | None = None
+        self.reads: Reads = lambda kind: None
 
     def topic(self, kind: Occurrence) -> Topic:
         """Makes the topic of a field."""
-        return Topic.of_field(kind, self._named, self.device)
+        return Topic.of_field(kind, self._named, self.reads(kind.kind))
 
     def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes] | None:
-        texts = row_texts.json_object(column, kind.kind, self.device, self._named, SEPARATORS)
+        texts = row_texts.json_object(column, kind.kind, self.reads(kind.kind), self._named, SEPARATORS)
         if texts is None:
             return None
         messages = row_texts.formatted_rows(*texts, len(column))
@@ -98,7 +99,7 @@ class Json:
         return messages
 
     def field(self, field: Field, kind: Occurrence) -> bytes:
-        return encoded(field, self._named, self.device)
+        return encoded(field, self._named, self.reads(kind.kind))
 
 
 class Messages:
@@ -128,7 +129,7 @@ class Messages:
 
     def of_part(self, part: Log, first: int) -> Iterator[Batch]:
         """Yields the messages of a part of a log, whose first packet has this number."""
-        self._form.device = part.device
+        self._form.reads = part.reads
         for piece in part.pieces():
             yield self._of_piece(part, piece, first + piece.number)
 
@@ -191,7 +192,7 @@ class Messages:
         return self._kinds is None or kind in self._kinds
 
     def _keeps(self, part: Log, field: Field) -> bool:
-        return not self._drops or all_valid(field, part.device)
+        return not self._drops or all_valid(field, part.reads(type(field)))
 
     def _by_column(self, part: Log, piece: Piece, kind: Occurrence, number: int, runs: list[walk.Run]) -> _Rows | None:
         """Makes the messages of fields of one type and one size from a column; None if the form cannot do so."""

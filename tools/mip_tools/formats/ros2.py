@@ -22,6 +22,7 @@ from ..names.selection import Selection
 from ..ros import cdr, standard
 from ..ros.types import Types
 from ..text import clocks
+from ..text.show import Reads
 from .json_messages import Batch, timed
 from .messages import MessageExport, Messages, Objects
 
@@ -40,7 +41,7 @@ def require(form: str) -> None:
 class _Times:
     """Makes no messages of fields: a bag has only standard ones, with the times of the fields."""
 
-    device: str | None = None
+    reads: Reads = staticmethod(lambda kind: None)
 
     def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[None]:
         return [None] * len(column)

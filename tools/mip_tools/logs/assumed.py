@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 REMEDY = "a GNSS receiver with a fix, a pulse per second with time updates, or a time set by the host"
 
 
-def print_assumptions(command: str, log: Log, times: bool = True) -> None:
-    """Prints the lines on standard error; `times`: does the output have times?"""
+def print_assumptions(command: str, log: Log, times: bool = True, names: bool = True) -> None:
+    """Prints the lines on standard error; `times`, `names`: does the output have times, and name values?"""
     from ..columns import timeline
 
     line = timeline.of_log(log) if times else None
     without = [] if line is None or not line.sets or any_date(line) else [no_date(line)]
-    for text in [*log.assumed(), *without]:
+    for text in [*log.assumed(names), *without]:
         print(f"mip {command}: {text}", file=sys.stderr)
 
 

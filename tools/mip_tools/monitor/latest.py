@@ -96,9 +96,10 @@ class Latest:
         for (number, _), latest in sorted(self._latest.items()):
             field = latest.field
             name = show.short(field, show.set_name(number))
-            values = [show.inside(field, self.device.id)]
+            values = [show.inside(field, self.device.reads)]
             if field.value is not None:
-                values = list(show.leaves(field.value, self.device.id, references(field.value, number)))
+                device = self.device.reads(type(field.value))
+                values = list(show.leaves(field.value, device, references(field.value, number)))
             yield Shown(number, name, latest.rate(now), now - latest.times[-1][0], values)
 
     def lines(self) -> list[str]:

@@ -13,11 +13,11 @@ from .decoding import DecodedField, malformed, name_of
 from .references import references
 
 
-def packet(offset: int, message: Packet, fields: Iterable[DecodedField], device: str | None, raw: bool = False) -> str:
+def packet(offset: int, message: Packet, fields: Iterable[DecodedField], reads: show.Reads, raw: bool = False) -> str:
     """Formats a packet with these fields, and with its bytes if `raw` is set."""
     wrong = malformed(message)
     rest = {**({"malformed": wrong} if wrong else {}), **({"raw": bytes(message).hex()} if raw else {})}
-    return packet_object(offset, message.set, [field_object(field_value, device) for field_value in fields], rest)
+    return packet_object(offset, message.set, [field_object(each, reads) for each in fields], rest)
 
 
 def packet_object(offset: int, number: int, fields: Iterable[str], rest: dict[str, str] | None = None) -> str:
@@ -31,11 +31,12 @@ def _set(number: int) -> str:
     return json.dumps(show.set_name(number))
 
 
-def field_object(decoded: DecodedField, device: str | None) -> str:
+def field_object(decoded: DecodedField, reads: show.Reads) -> str:
     """Formats a field with its values, and with its bytes if they cannot be decoded or if some are left over."""
     content: dict[str, Any] = {"field": name_of(decoded)}
     if decoded.value is not None:
-        content["values"] = values.to_plain(decoded.value, True, device, references(decoded.value, decoded.raw.set))
+        inside = references(decoded.value, decoded.raw.set)
+        content["values"] = values.to_plain(decoded.value, True, reads(type(decoded.value)), inside)
     if decoded.value is None or decoded.trailing:
         content["data"] = decoded.raw.data.hex()
     return json.dumps(content | ({"error": decoded.error} if decoded.error else {}), allow_nan=False)

@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from enum import IntFlag
 
-from ..binding import OVERHEAD, SETS, SYNC, Acknowledge, Described, Item, Packet, PacketError, Structure, info, meant
+from ..binding import (
+    OVERHEAD,
+    SETS,
+    SYNC,
+    Acknowledge,
+    Described,
+    Field,
+    Item,
+    Packet,
+    PacketError,
+    Structure,
+    info,
+    meant,
+)
 from ..names.selection import Selection
 from ..text.numbers import count_text
 from .decoding import DecodedField, decoded_field, malformed, name_of, raw_fields
@@ -35,10 +48,14 @@ def selected(packet: Packet, selection: Selection) -> list[DecodedField]:
 # --------------------------------------------------------------------------- a line
 
 
-def line(packet: Packet, fields: list[DecodedField], device: str | None) -> str:
+#: Returns the id of the device as which a field is read; None if it is not known.
+Reads = Callable[[type[Field]], "str | None"]
+
+
+def line(packet: Packet, fields: list[DecodedField], reads: Reads) -> str:
     """Formats a packet in one line: its set, and each field with its values in parentheses."""
     set_number = set_name(packet.set)
-    parts = [f"{short(f, set_number)}{inside(f, device)}" for f in fields]
+    parts = [f"{short(f, set_number)}{inside(f, reads)}" for f in fields]
     wrong = malformed(packet)
     if wrong:
         parts.append(f"malformed({wrong})")
@@ -51,14 +68,14 @@ def short(field: DecodedField, set_number: str) -> str:
     return name[len(set_number) + 1 :] if name.startswith(f"{set_number}.") else name
 
 
-def inside(field: DecodedField, device: str | None) -> str:
+def inside(field: DecodedField, reads: Reads) -> str:
     """Formats the values of a field in one line, in parentheses; a unit may follow."""
     if field.value is None:
         text = field.raw.data.hex()
         return f"({text}: {field.error})" if field.error else f"({text})"
     own = field.value.NAME.partition(".")[2]
     parts = []
-    for item in field_items(field.value, field.raw.set, device):
+    for item in field_items(field.value, field.raw.set, reads(type(field.value))):
         label = "" if item.parameter.name == own else f"{item.parameter.name}="
         parts.append(f"{label}{item.text}{'' if item.valid else ' (invalid)'}")
     if field.trailing:
@@ -70,7 +87,7 @@ def inside(field: DecodedField, device: str | None) -> str:
 # --------------------------------------------------------------------------- a tree
 
 
-def tree(packet: Packet, fields: list[DecodedField], device: str | None) -> Iterator[str]:
+def tree(packet: Packet, fields: list[DecodedField], reads: Reads) -> Iterator[str]:
     """Formats a packet, its fields and their values in indented lines, with their bytes."""
     raw = bytes(packet)
     count = sum(1 for _ in raw_fields(packet))
@@ -79,13 +96,13 @@ def tree(packet: Packet, fields: list[DecodedField], device: str | None) -> Iter
         f"{len(raw)} bytes: {spaced_bytes(raw[:4])} … checksum {spaced_bytes(raw[-2:])}"
     )
     for f in fields:
-        yield from (f"  {text}" for text in branch(f, device))
+        yield from (f"  {text}" for text in branch(f, reads))
     wrong = malformed(packet)
     if wrong:
         yield f"  malformed: {wrong}; the rest cannot be read"
 
 
-def branch(field: DecodedField, device: str | None) -> Iterator[str]:
+def branch(field: DecodedField, reads: Reads) -> Iterator[str]:
     """Formats a field and its values in indented lines."""
     raw, kind = field.raw, field.kind
     numbers = f"0x{0 if kind is Acknowledge else raw.set:02X},0x{raw.descriptor:02X}"
@@ -97,7 +114,7 @@ def branch(field: DecodedField, device: str | None) -> Iterator[str]:
         yield f"  cannot be decoded: {field.error}"
     if field.value is None:
         return
-    yield from (f"  {text}" for text in leaves(field.value, device, references(field.value, raw.set)))
+    yield from (f"  {text}" for text in leaves(field.value, reads(type(field.value)), references(field.value, raw.set)))
     if field.trailing:
         more = count_text(field.trailing, "more byte")
         yield f"  and {more}: {spaced_bytes(raw.data[-field.trailing :])}"
