@@ -171,6 +171,7 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     }
     for text, field in first.items():
         assert field in run(capsys, "fields", "--search", text)[1].splitlines()[0], text
+        assert run(capsys, "fields", "--search", *text.split()) == run(capsys, "fields", "--search", text)
     assert (
         "mip send PORT 3dm.message_format write descriptor_set descriptors"
         in run(capsys, "fields", "3dm.message_format")[1]

@@ -21,6 +21,7 @@ import pytest
 from mip_tools.errors import Failure
 from mip_tools.ports import silence
 from program import ENVIRONMENT, PATIENCE, command, log, mip, running, simulated
+from support import heavy, later
 
 #: What is said of a device at a port. On a busy machine, its data comes late.
 TOLD = re.compile(r"mip stream: device 3DM-.* \(at the port\)\n(mip stream: no data for .*\n)*")
@@ -124,8 +125,11 @@ def test_a_set_at_a_rate_of_its_own() -> None:
         assert error.startswith("mip stream: DEMOD-DC sends displacement_data at a rate of its own\n")
 
 
-@pytest.mark.parametrize("name", ["record", "stream"])
-def test_a_lost_port_is_opened_again(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("name", "more"),
+    [("record", ()), ("stream", ()), pytest.param("stream", ("--format", "mcap"), marks=heavy("mcap"))],
+)
+def test_a_lost_port_is_opened_again(name: str, more: tuple[str, ...], tmp_path: Path) -> None:
     """The time without it is reported, and nothing that arrived is lost, not even a part of a packet."""
     data, output = log(0.5), tmp_path / "output"
     server = socket.create_server(("127.0.0.1", 0))
@@ -139,12 +143,18 @@ def test_a_lost_port_is_opened_again(name: str, tmp_path: Path) -> None:
 
     threading.Thread(target=serve, daemon=True).start()
     with server:
-        words = (name, place, "--reopen", "--device", "3dm-cv7-gnss-ins", "-o", output, "--duration", "3")
+        words = (name, place, "--reopen", "--device", "3dm-cv7-gnss-ins", "-o", output, "--duration", "3", *more)
         code, _, error = mip(*words)
     lost = rf"mip {name}: {place} was lost for \d\.\d s, until [\d:]+\n"
     assert code == 0 and re.match(f"({lost}){{2}}", error), error
     if name == "record":
         assert output.read_bytes() == data
+    elif more:
+        with open(output, "rb") as file:
+            found = [*later("mcap.reader").make_reader(file).iter_messages(log_time_order=False)]
+        gaps = [i for i, (_, channel, _) in enumerate(found) if channel.topic == "/mip/gap"]
+        assert len(gaps) == 2 and all(json.loads(found[i][2].data)["seconds"] > 0 for i in gaps)
+        assert all(found[i][2].log_time == found[i + 1][2].log_time for i in gaps)
     else:
         written = lines(output.read_text())
         assert len(written) == len(lines(mip("stream", "-", data=data)[1]))

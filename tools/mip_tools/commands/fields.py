@@ -19,7 +19,7 @@ examples:
   mip fields                          the descriptor sets
   mip fields sensor                   the fields of a set
   mip fields sensor.scaled_accel      one field; 0x80:0x04 and the vendor's name also work
-  mip fields --search "gyro bias"      fields with these words, the best first
+  mip fields --search gyro bias       fields with these words, the best first
   mip fields 3dm --device 3dm-gx5-15  only the fields of a device
 """
 
@@ -28,12 +28,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("name", nargs="?", metavar="NAME", help="a set or a field")
-    add("--search", metavar="TEXT", help="fields that have these words, the best first")
+    add("--search", nargs="+", metavar="WORD", help="fields that have these words, the best first")
     add_device(parser, "only the fields of this device")
     add("--json", action="store_true", help="print JSON, for programs")
 
 
 def run(options: argparse.Namespace) -> int:
+    options.search = " ".join(options.search) if options.search else None
     chosen = _chosen(options)
     if options.json:
         print(json.dumps([field_texts.as_json(field) for field in chosen], indent=2))

@@ -86,7 +86,7 @@ def run(options: argparse.Namespace) -> int:
     line = line_of(options, options.input)._replace(gaps=[] if options.reopen else None)
     arriving = _counted(_arriving(options, line, rates, at_port, sender), options.packets)
     if options.format == "foxglove":
-        return _serve(options, arriving, selection, sender)
+        return _serve(options, arriving, selection, sender, line.gaps)
     columns = [kind for name in names for kind in _single(name)] if all(map(_single, names)) else []
     with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True) as out:
         try:
@@ -107,7 +107,11 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _serve(
-    options: argparse.Namespace, arriving: Iterator[Piece | None], selection: Selection, sender: KnownDevice
+    options: argparse.Namespace,
+    arriving: Iterator[Piece | None],
+    selection: Selection,
+    sender: KnownDevice,
+    gaps: list[float] | None,
 ) -> int:
     """Serves the data to Foxglove."""
     if options.output != "-":
@@ -121,7 +125,7 @@ def _serve(
     with signals.handled(signals.interrupt), foxglove.serving(server, place, (*FOXGLOVE, *options.origin)) as url:
         print(f"mip stream: open {url} in Foxglove", file=sys.stderr, flush=True)
         try:
-            foxglove.serve(server, *live.messages(arriving, options, selection, device=sender))
+            foxglove.serve(server, *live.messages(arriving, options, selection, device=sender, gaps=gaps))
         except KeyboardInterrupt:  # the usual way to end it
             pass
     return 0

@@ -170,10 +170,10 @@ def serving(server: Server, place: str, origins: Sequence[str] = FOXGLOVE) -> It
 
 
 def serve(
-    server: Server, messages: Iterable[Batch], clock: str | None, topic_of: Callable[[Occurrence], Topic]
+    server: Server, messages: Iterable[Batch], clock: str | None, topic_of: Callable[[Occurrence | None], Topic]
 ) -> None:
     """Serves messages until they end. Without a clock, they have the time of the host."""
-    channels: dict[Occurrence, int] = {}
+    channels: dict[Occurrence | None, int] = {}
     for batch, moments in timed(messages, clock is None):
         for number, moment, data in zip(batch.kind.tolist(), moments.tolist(), batch.data):
             kind = batch.kinds[number]

@@ -35,12 +35,27 @@ TIMES = {
 class Batch(NamedTuple):
     """Fields as messages, in their order: an item of each list or array for each message."""
 
-    kinds: list[Occurrence]  # all of them, once
+    kinds: list[Occurrence | None]  # all of them, once; None for a gap, in which the port was lost
     kind: Array  # the number of the kind in this list
     time: Array  # in ns; NONE if it is not known
     own: Array  # does the packet have the time?
     packet: Array
     data: list[Any]  # as JSON or CDR
+
+
+def with_gaps(batches: Iterable[Batch], gaps: list[tuple[int, float]]) -> Iterator[Batch]:
+    """Yields messages, and before those of a packet the gap before it: the number of the packet, and seconds."""
+    import numpy as np
+
+    for batch in batches:
+        while gaps and len(batch.data) and batch.packet[-1] >= gaps[0][0]:
+            packet, seconds = gaps.pop(0)
+            row = int(np.searchsorted(batch.packet, packet))
+            kind = np.insert(batch.kind, row, len(batch.kinds))
+            time, own, packets = (np.insert(each, row, each[row]) for each in (batch.time, batch.own, batch.packet))
+            data = [*batch.data[:row], json.dumps({"seconds": round(seconds, 3)}).encode(), *batch.data[row:]]
+            batch = Batch([*batch.kinds, None], kind, time, own, packets, data)
+        yield batch
 
 
 def clock_of(clocks: Clocks, options: argparse.Namespace) -> str:
@@ -61,6 +76,13 @@ class Topic(NamedTuple):
     name: str
     schema_name: str
     schema: str
+
+    @classmethod
+    def of_gaps(cls) -> Topic:
+        """Makes the topic of the gaps of a port."""
+        seconds = {"type": "number", "description": "in s"}
+        about = {"title": "gap", "description": "for how long the port was lost before this time"}
+        return cls("/mip/gap", "mip.gap", json.dumps(about | {"type": "object", "properties": {"seconds": seconds}}))
 
     @classmethod
     def of_field(cls, kind: Occurrence, named: bool, device: str | None) -> Topic:

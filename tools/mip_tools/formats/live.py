@@ -17,7 +17,7 @@ from ..logs.scan import Piece
 from ..names.occurrence import Occurrence
 from ..names.selection import Selection
 from ..text.clocks import dated
-from .json_messages import Batch, Topic
+from .json_messages import Batch, Topic, with_gaps
 from .mcap_file import write_mcap
 from .row_times import Time, shown_clocks
 
@@ -47,14 +47,14 @@ def write_stream(
     gaps: list[float] | None = None,
 ) -> None:
     """Writes the fields of a stream until it ends. `types`: the columns of CSV; by default the fields in the preview.
-    `host`: with a column of the times when the packets arrive. `gaps`: with a column of the seconds, which are added
-    here, for which the port was lost before a packet.
+    `host`: with a column of the times when the packets arrive. `gaps`: the seconds, which are added here, for which
+    the port was lost before a packet, as a column or as messages.
 
     The rows are the same as those of `mip export`, except that an instant that arrives in two pieces has two rows.
     Raises Failure if the stream ends without any of the fields.
     """
     if form == "mcap":
-        write_mcap(out, *messages(arriving, options, selection, out.flush, device), live=True)
+        write_mcap(out, *messages(arriving, options, selection, out.flush, device, gaps), live=True)
     else:
         _write_table(out, form, arriving, options, selection, types, device, host, gaps)
 
@@ -65,12 +65,14 @@ def messages(
     selection: Selection,
     flush: Callable[[], object] = lambda: None,
     device: str | KnownDevice | None = None,
-) -> tuple[Iterator[Batch], str | None, Callable[[Occurrence], Topic]]:
-    """Returns the fields of a stream as messages, the clock of their times, and what makes the topic of a field."""
+    gaps: list[float] | None = None,
+) -> tuple[Iterator[Batch], str | None, Callable[[Occurrence | None], Topic]]:
+    """Returns the fields and the gaps of a stream as messages, the clock of their times, and what makes their topic."""
     inputs.need_numpy()
     from .messages import Json, Messages
 
-    logs = _logs(arriving, device, options.command, options.named)
+    arrivals: list[tuple[int, float]] = []
+    logs = _logs(_noted(arriving, arrivals, gaps), device, options.command, options.named)
     first = next(logs, None)
     clocks = _clocks(first, options)
     clock = None if options.time == "none" else (clocks.dated if options.time == "utc" else clocks.steady) or None
@@ -78,10 +80,12 @@ def messages(
     made = Messages(None, selection, clock, options.invalid, form)
 
     def messages_of_logs() -> Iterator[Batch]:
-        number = 0
+        number, lost = 0, []
         for log in chain([] if first is None else [first], logs):
-            yield from made.of_log(log, number)
+            lost += [(number + i, seconds) for i, (_, seconds) in enumerate(arrivals[: log.packets]) if seconds]
+            yield from with_gaps(made.of_log(log, number), lost)
             number += log.packets
+            del arrivals[: log.packets]
             flush()
 
     return messages_of_logs(), clock, form.topic

@@ -39,23 +39,25 @@ def write_mcap(
     out: IO[bytes],
     messages: Iterable[Batch],
     clock: str | None,
-    topic_of: Callable[[Occurrence], Topic],
+    topic_of: Callable[[Occurrence | None], Topic],
     live: bool = False,
 ) -> None:
     """Writes messages. The file is complete even after an interrupt.
 
-    `topic_of` makes the topic of a field. `live`: without a clock, messages have the time of the host.
+    `topic_of` makes the topic of a field, or of gaps. `live`: without a clock, messages have the time of the host.
     """
     import numpy as np
 
     meaning = clock_meaning(clock)
     file = _File(out, {"clock": clock or "host", "time": meaning})
-    channels: dict[Occurrence, int] = {}
+    channels: dict[Occurrence | None, int] = {}
     try:
         for batch, moments in timed(messages, live and clock is None):
             for kind in (batch.kinds[number] for number in dict.fromkeys(batch.kind.tolist())):
                 if kind not in channels:
-                    about = {"descriptor": f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}", "time": meaning}
+                    about = {"time": meaning}
+                    if kind is not None:
+                        about["descriptor"] = f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}"
                     channels[kind] = file.channel(topic_of(kind), about)
             numbers = np.array([channels.get(kind, 0) for kind in batch.kinds], np.int64)[batch.kind]
             file.add(numbers, moments, batch.packet, batch.data)

@@ -80,8 +80,10 @@ class Json:
         self._named = named
         self.reads: Reads = lambda kind: None
 
-    def topic(self, kind: Occurrence) -> Topic:
-        """Makes the topic of a field."""
+    def topic(self, kind: Occurrence | None) -> Topic:
+        """Makes the topic of a field, or of gaps."""
+        if kind is None:
+            return Topic.of_gaps()
         return Topic.of_field(kind, self._named, self.reads(kind.kind))
 
     def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes] | None:
