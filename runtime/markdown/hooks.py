@@ -22,7 +22,7 @@ _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</
 #: Programs one after the other, one in each language.
 _PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
 #: A program in one language, and the page with the others.
-_SAME = re.compile(r"^(```python\n(?:(?!```).*\n)*```\n)\n`([\w.]+)` in \[C\]\(([^)#]+)#.*\n", re.M)
+_SAME = re.compile(r"^(```python\n(?:(?!```).*\n)*```\n)\n`([\w.]+)` is also in the listings for \[C\]\(([^)#]+)#.*\n", re.M)
 #: The name of a program in a listing of several.
 _NAME = re.compile(r"^(?://|/\*) ([\w.]+)(?: \*/)?\n", re.M)
 #: The last section of the page of a field, which is folded: what it has, and its lines.

@@ -46,7 +46,7 @@ def shown(manual: Manual, path: str, part: str, name: str, language: str) -> tup
     if language == "python":
         (block,) = re.findall(r"^```python\n(.*?)^```$", part, re.M | re.S)
         return split(block)
-    (target,) = re.findall(rf"^`{re.escape(name)}` in .*\]\(([^)#]*)#programs\.{language}\)", part, re.M)
+    (target,) = re.findall(rf"^`{re.escape(name)}` is also in .*\]\(([^)#]*)#programs\.{language}\)", part, re.M)
     page = manual.page(posixpath.normpath(posixpath.join(posixpath.dirname(path), target)))
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", page, re.M | re.S)
     before, *parts = re.split(r"^(?://|/\*) ([\w.]+)(?: \*/)?\n", block, flags=re.M)

@@ -222,16 +222,16 @@ CV7_AHRS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
+    incomplete=("Only some pages of its manual are known; the device has further commands and data.",),
     generation=7,
     manual="3dm-cv7",
 )
 """Attitude and heading reference system. Generation 7. Model number 6286. Sensors: accelerometer,
 gyroscope, magnetometer, pressure sensor. GNSS receivers: none. GNSS antennas: none. Manual:
 MicroStrain 3DM-CV7 Documentation (AHRS and AR), online, known from some pages. This profile is
-incomplete: Only some pages of the manual are known, so it has more commands and data. Uncertain:
-MSCL offers only the values `none` and `manual` of `filter.MagneticDeclinationSource`; the manual
-also has `wmm`.
+incomplete: Only some pages of its manual are known; the device has further commands and data.
+Uncertain: MSCL offers only the values `none` and `manual` of `filter.MagneticDeclinationSource`;
+the manual also has `wmm`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -307,15 +307,15 @@ CV7_AR = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
+    incomplete=("Only some pages of its manual are known; the device has further commands and data.",),
     generation=7,
     manual="3dm-cv7",
 )
 """Attitude reference. Generation 7. Model number 6287. Sensors: accelerometer, gyroscope, pressure
 sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation (AHRS
-and AR), online, known from some pages. This profile is incomplete: Only some pages of the manual
-are known, so it has more commands and data. Uncertain: MSCL offers only the values `none` and
-`manual` of `filter.MagneticDeclinationSource`; the manual also has `wmm`.
+and AR), online, known from some pages. This profile is incomplete: Only some pages of its manual
+are known; the device has further commands and data. Uncertain: MSCL offers only the values `none`
+and `manual` of `filter.MagneticDeclinationSource`; the manual also has `wmm`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -463,17 +463,17 @@ CV7_INS = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    incomplete=("Only some pages of the manual are known, so it has more commands and data.", "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF."),
+    incomplete=("Only some pages of its manual are known; the device has further commands and data.", "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF."),
     generation=7,
     manual="3dm-cv7-ins",
 )
 """Inertial navigation system without an internal GNSS receiver. Generation 7. Model number 6291.
 Sensors: accelerometer, gyroscope, magnetometer, pressure sensor. GNSS receivers: none. GNSS
 antennas: none. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known from some pages. This
-profile is incomplete: Only some pages of the manual are known, so it has more commands and data.
-This profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain:
-Only a test site of the vendor names the set 0x95. Uncertain: The base rate of the set 0x94 is
-inferred from the 3DM-CV7-GNSS/INS.
+profile is incomplete: Only some pages of its manual are known; the device has further commands and
+data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.
+Uncertain: Only a test site of the vendor names the set 0x95. Uncertain: The base rate of the set
+0x94 is inferred from the 3DM-CV7-GNSS/INS.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -943,7 +943,7 @@ GQ7 = Device(
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
         "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
     },
-    incomplete=("Only some pages of the manual are known, so it has more commands and data.", "The baud rates of the Aux port are not known, nor all of its protocols."),
+    incomplete=("Only some pages of its manual are known; the device has further commands and data.", "The baud rates of the Aux port are not known, nor all of its protocols."),
     also=("3DM-GQ7",),
     generation=7,
     manual="3dm-gq7",
@@ -951,11 +951,11 @@ GQ7 = Device(
 """Inertial navigation system with two GNSS receivers. Also called 3DM-GQ7. Generation 7. Model
 number 6284. Sensors: accelerometer, gyroscope, magnetometer, pressure sensor. GNSS receivers: 2.
 GNSS antennas: 2. Manual: MicroStrain 3DM-GQ7 Documentation, online, known from some pages. This
-profile is incomplete: Only some pages of the manual are known, so it has more commands and data.
-This profile is incomplete: The baud rates of the Aux port are not known, nor all of its protocols.
-Uncertain: The values of `filter.MagneticDeclinationSource` are those that MSCL offers. Uncertain:
-According to MSCL, firmware from 1.0 to below 1.1 has only the values `all_internal` and `external`
-of `filter.GnssSource`.
+profile is incomplete: Only some pages of its manual are known; the device has further commands and
+data. This profile is incomplete: The baud rates of the Aux port are not known, nor all of its
+protocols. Uncertain: The values of `filter.MagneticDeclinationSource` are those that MSCL offers.
+Uncertain: According to MSCL, firmware from 1.0 to below 1.1 has only the values `all_internal` and
+`external` of `filter.GnssSource`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1557,7 +1557,7 @@ GX5_35 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
         "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
     },
-    incomplete=("Only some pages of the manual are known, so it has more commands and data.",),
+    incomplete=("Only some pages of its manual are known; the device has further commands and data.",),
     also=("3DM-GX5-GNSS/AHRS",),
     generation=5,
     manual="3dm-gx5-35",
@@ -1565,8 +1565,9 @@ GX5_35 = Device(
 """Attitude and heading reference system (AHRS) with GNSS. Also called 3DM-GX5-GNSS/AHRS. Generation
 5. Model number 6252. Sensors: accelerometer, gyroscope, magnetometer, pressure sensor. GNSS
 receivers: 1. GNSS antennas: 1. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from
-some pages. This profile is incomplete: Only some pages of the manual are known, so it has more
-commands and data. Uncertain: The base rates are those that the manual states for all 3DM-GX5.
+some pages. This profile is incomplete: Only some pages of its manual are known; the device has
+further commands and data. Uncertain: The base rates are those that the manual states for all
+3DM-GX5.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1629,7 +1630,7 @@ GX5_45 = Device(
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
-    incomplete=("Only some pages of the manual are known, so it has more commands and data.", "Only four fields of the filter data are listed; the manual documents 27 or more."),
+    incomplete=("Only some pages of its manual are known; the device has further commands and data.", "Only four fields of the filter data are listed; the manual documents 27 or more."),
     also=("3DM-GX5-GNSS/INS",),
     generation=5,
     manual="3dm-gx5-45",
@@ -1637,12 +1638,12 @@ GX5_45 = Device(
 """Inertial navigation system with GNSS, magnetometer and pressure sensor. Also called
 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Sensors: accelerometer, gyroscope, magnetometer,
 pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD 3DM-GX5-45 DCP Manual, 8500-0064
-rev. C, known from some pages. This profile is incomplete: Only some pages of the manual are known,
-so it has more commands and data. This profile is incomplete: Only four fields of the filter data
-are listed; the manual documents 27 or more. Uncertain: The values of `filter.GnssSource` are those
-that MSCL offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
-3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for
-the sensor data. Uncertain: The manual states the length of
+rev. C, known from some pages. This profile is incomplete: Only some pages of its manual are known;
+the device has further commands and data. This profile is incomplete: Only four fields of the filter
+data are listed; the manual documents 27 or more. Uncertain: The values of `filter.GnssSource` are
+those that MSCL offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and
+the 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz
+for the sensor data. Uncertain: The manual states the length of
 `mip_3dm.DeviceStatusBasicWithoutStateResponse` and offsets of
 `mip_3dm.DeviceStatusDiagnosticGx4Response`; MSCL differs.
 

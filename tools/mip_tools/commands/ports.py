@@ -16,7 +16,7 @@ from ..ports.silence import Line
 EPILOG = """\
 examples:
   mip ports
-  mip ports /dev/ttyUSB0 localhost:5005 --baud auto      ask there, whatever is connected
+  mip ports /dev/ttyUSB0 localhost:5005 --baud auto      identify the devices at these ports
 
 Without names, only USB ports of the vendor are asked who is there; others are listed. The first USB
 port of a device is its main port, the second an auxiliary one, which may be set to other protocols.

@@ -19,9 +19,9 @@ examples:
   mip record /dev/ttyACM0 -o - | mip dump -
 
 Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut` can
-remove them. First, the device is asked what it is: with its reply in the log, all commands read
-its flags as those of this device. With --device, it is not asked. The file gets its name when the
-recording ends, by Ctrl-C too. Until then, and if the program is killed, its name is
+remove them. A recording begins with the identity of the device, so that all commands read its
+flags correctly; with --device, none is requested. The file gets its name when the recording ends,
+also by Ctrl-C. Until then, and if the program is killed, its name is
 FILE.NUMBER.part.
 """
 

@@ -40,7 +40,7 @@ def host_is_known(header: str, own: str) -> bool:
 
 
 def origin_is_allowed(origin: str | None, allowed: Sequence[str]) -> bool:
-    """May a page of this origin connect? Programs that are no browsers send none."""
+    """May a page of this origin connect? Programs other than browsers send none."""
     return origin is None or "*" in allowed or origin.lower() in (origin_allowed.lower() for origin_allowed in allowed)
 
 

@@ -874,9 +874,9 @@ const CV7_AHRS_14: &Evidence = &Evidence {
 ///
 /// Generation 7. Model number 6286. Sensors: accelerometer, gyroscope, magnetometer, pressure
 /// sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation
-/// (AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of the
-/// manual are known, so it has more commands and data. Uncertain: MSCL offers only the values
-/// `none` and `manual` of
+/// (AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of its
+/// manual are known; the device has further commands and data. Uncertain: MSCL offers only the
+/// values `none` and `manual` of
 /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the manual also
 /// has `wmm`.
 ///
@@ -923,7 +923,7 @@ pub static CV7_AHRS: Profile = Profile {
     generation: Some(7),
     manual: Some("3dm-cv7"),
     incomplete: &[
-        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only some pages of its manual are known; the device has further commands and data.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] CV7_AHRS_6;
@@ -1279,10 +1279,10 @@ const CV7_AR_14: &Evidence = &Evidence {
 ///
 /// Generation 7. Model number 6287. Sensors: accelerometer, gyroscope, pressure sensor. GNSS
 /// receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
-/// online, known from some pages. This profile is incomplete: Only some pages of the manual are
-/// known, so it has more commands and data. Uncertain: MSCL offers only the values `none` and
-/// `manual` of [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource); the
-/// manual also has `wmm`.
+/// online, known from some pages. This profile is incomplete: Only some pages of its manual are
+/// known; the device has further commands and data. Uncertain: MSCL offers only the values `none`
+/// and `manual` of [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource);
+/// the manual also has `wmm`.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1327,7 +1327,7 @@ pub static CV7_AR: Profile = Profile {
     generation: Some(7),
     manual: Some("3dm-cv7"),
     incomplete: &[
-        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only some pages of its manual are known; the device has further commands and data.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] CV7_AR_7;
@@ -2342,10 +2342,11 @@ const CV7_INS_12: &Evidence = &Evidence {
 ///
 /// Generation 7. Model number 6291. Sensors: accelerometer, gyroscope, magnetometer, pressure
 /// sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7-INS
-/// Documentation, online, known from some pages. This profile is incomplete: Only some pages of the
-/// manual are known, so it has more commands and data. This profile is incomplete: It has the data
-/// sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the
-/// set 0x95. Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+/// Documentation, online, known from some pages. This profile is incomplete: Only some pages of its
+/// manual are known; the device has further commands and data. This profile is incomplete: It has
+/// the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test site of the vendor
+/// names the set 0x95. Uncertain: The base rate of the set 0x94 is inferred from the
+/// 3DM-CV7-GNSS/INS.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2394,7 +2395,7 @@ pub static CV7_INS: Profile = Profile {
     generation: Some(7),
     manual: Some("3dm-cv7-ins"),
     incomplete: &[
-        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only some pages of its manual are known; the device has further commands and data.",
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
     ],
     fields: supported! {
@@ -4971,9 +4972,9 @@ const GQ7_8: &Evidence = &Evidence {
 ///
 /// Also called 3DM-GQ7. Generation 7. Model number 6284. Sensors: accelerometer, gyroscope,
 /// magnetometer, pressure sensor. GNSS receivers: 2. GNSS antennas: 2. Manual: MicroStrain 3DM-GQ7
-/// Documentation, online, known from some pages. This profile is incomplete: Only some pages of the
-/// manual are known, so it has more commands and data. This profile is incomplete: The baud rates
-/// of the Aux port are not known, nor all of its protocols. Uncertain: The values of
+/// Documentation, online, known from some pages. This profile is incomplete: Only some pages of its
+/// manual are known; the device has further commands and data. This profile is incomplete: The baud
+/// rates of the Aux port are not known, nor all of its protocols. Uncertain: The values of
 /// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) are those that
 /// MSCL offers. Uncertain: According to MSCL, firmware from 1.0 to below 1.1 has only the values
 /// `all_internal` and `external` of [`filter::GnssSource`](crate::filter::GnssSource).
@@ -5037,7 +5038,7 @@ pub static GQ7: Profile = Profile {
     generation: Some(7),
     manual: Some("3dm-gq7"),
     incomplete: &[
-        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only some pages of its manual are known; the device has further commands and data.",
         "The baud rates of the Aux port are not known, nor all of its protocols.",
     ],
     fields: supported! {
@@ -8468,8 +8469,8 @@ const GX5_35_4: &Evidence = &Evidence {
 /// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Sensors: accelerometer,
 /// gyroscope, magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD
 /// 3DM-GX5-35 DCP Manual, revision unknown, known from some pages. This profile is incomplete: Only
-/// some pages of the manual are known, so it has more commands and data. Uncertain: The base rates
-/// are those that the manual states for all 3DM-GX5.
+/// some pages of its manual are known; the device has further commands and data. Uncertain: The
+/// base rates are those that the manual states for all 3DM-GX5.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -8497,7 +8498,7 @@ pub static GX5_35: Profile = Profile {
     generation: Some(5),
     manual: Some("3dm-gx5-35"),
     incomplete: &[
-        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only some pages of its manual are known; the device has further commands and data.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] GX5_35_1;
@@ -8732,7 +8733,7 @@ const GX5_45_13: &Evidence = &Evidence {
 /// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Sensors: accelerometer,
 /// gyroscope, magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD
 /// 3DM-GX5-45 DCP Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only
-/// some pages of the manual are known, so it has more commands and data. This profile is
+/// some pages of its manual are known; the device has further commands and data. This profile is
 /// incomplete: Only four fields of the filter data are listed; the manual documents 27 or more.
 /// Uncertain: The values of [`filter::GnssSource`](crate::filter::GnssSource) are those that MSCL
 /// offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
@@ -8771,7 +8772,7 @@ pub static GX5_45: Profile = Profile {
     generation: Some(5),
     manual: Some("3dm-gx5-45"),
     incomplete: &[
-        "Only some pages of the manual are known, so it has more commands and data.",
+        "Only some pages of its manual are known; the device has further commands and data.",
         "Only four fields of the filter data are listed; the manual documents 27 or more.",
     ],
     fields: supported! {

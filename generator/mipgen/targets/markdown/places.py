@@ -169,11 +169,8 @@ class Page:
 
     def others(self, path: str, name: str) -> str:
         """Writes links to the listings of a page that have a program in other languages."""
-        return (
-            f"{code(name)} in "
-            + ", ".join(f"[{x.title}]({self.url(f'{path}#programs.{x.name}')})" for x in OTHERS)
-            + "."
-        )
+        *first, last = (f"[{x.title}]({self.url(f'{path}#programs.{x.name}')})" for x in OTHERS)
+        return f"{code(name)} is also in the listings for {', '.join(first)} and {last}."
 
     def links(self, things: Iterable[Thing]) -> str:
         return ", ".join(self.link(t) for t in things)

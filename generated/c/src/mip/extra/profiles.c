@@ -355,7 +355,7 @@ const struct mip_profile mip_profile_cv5_25 = {
 /* 3DM-CV7-AHRS. */
 
 static const char *const cv7_ahrs_incomplete[] = {
-    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only some pages of its manual are known; the device has further commands and data.",
 };
 
 static const struct mip_profile_evidence cv7_ahrs_evidence[] = {
@@ -513,7 +513,7 @@ const struct mip_profile mip_profile_cv7_ahrs = {
 /* 3DM-CV7-AR. */
 
 static const char *const cv7_ar_incomplete[] = {
-    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only some pages of its manual are known; the device has further commands and data.",
 };
 
 static const struct mip_profile_evidence cv7_ar_evidence[] = {
@@ -905,7 +905,7 @@ const struct mip_profile mip_profile_cv7_gnss_ins = {
 /* 3DM-CV7-INS. */
 
 static const char *const cv7_ins_incomplete[] = {
-    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only some pages of its manual are known; the device has further commands and data.",
     "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
 };
 
@@ -2070,7 +2070,7 @@ static const char *const gq7_also[] = {
 };
 
 static const char *const gq7_incomplete[] = {
-    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only some pages of its manual are known; the device has further commands and data.",
     "The baud rates of the Aux port are not known, nor all of its protocols.",
 };
 
@@ -3609,7 +3609,7 @@ static const char *const gx5_35_also[] = {
 };
 
 static const char *const gx5_35_incomplete[] = {
-    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only some pages of its manual are known; the device has further commands and data.",
 };
 
 static const struct mip_profile_evidence gx5_35_evidence[] = {
@@ -3700,7 +3700,7 @@ static const char *const gx5_45_also[] = {
 };
 
 static const char *const gx5_45_incomplete[] = {
-    "Only some pages of the manual are known, so it has more commands and data.",
+    "Only some pages of its manual are known; the device has further commands and data.",
     "Only four fields of the filter data are listed; the manual documents 27 or more.",
 };
 

@@ -64,9 +64,9 @@ extern MIP_API const struct mip_profile mip_profile_cv5_25;
  *
  * Generation 7. Model number 6286. Sensors: accelerometer, gyroscope, magnetometer, pressure
  * sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation
- * (AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of the
- * manual are known, so it has more commands and data. Uncertain: MSCL offers only the values `none`
- * and `manual` of mip_filter_magnetic_declination_source; the manual also has `wmm`.
+ * (AHRS and AR), online, known from some pages. This profile is incomplete: Only some pages of its
+ * manual are known; the device has further commands and data. Uncertain: MSCL offers only the
+ * values `none` and `manual` of mip_filter_magnetic_declination_source; the manual also has `wmm`.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -78,9 +78,9 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ahrs;
  *
  * Generation 7. Model number 6287. Sensors: accelerometer, gyroscope, pressure sensor. GNSS
  * receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
- * online, known from some pages. This profile is incomplete: Only some pages of the manual are
- * known, so it has more commands and data. Uncertain: MSCL offers only the values `none` and
- * `manual` of mip_filter_magnetic_declination_source; the manual also has `wmm`.
+ * online, known from some pages. This profile is incomplete: Only some pages of its manual are
+ * known; the device has further commands and data. Uncertain: MSCL offers only the values `none`
+ * and `manual` of mip_filter_magnetic_declination_source; the manual also has `wmm`.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -104,10 +104,10 @@ extern MIP_API const struct mip_profile mip_profile_cv7_gnss_ins;
  *
  * Generation 7. Model number 6291. Sensors: accelerometer, gyroscope, magnetometer, pressure
  * sensor. GNSS receivers: none. GNSS antennas: none. Manual: MicroStrain 3DM-CV7-INS Documentation,
- * online, known from some pages. This profile is incomplete: Only some pages of the manual are
- * known, so it has more commands and data. This profile is incomplete: It has the data sets 0x80,
- * 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the set 0x95.
- * Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+ * online, known from some pages. This profile is incomplete: Only some pages of its manual are
+ * known; the device has further commands and data. This profile is incomplete: It has the data sets
+ * 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test site of the vendor names the set
+ * 0x95. Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -237,9 +237,9 @@ extern MIP_API const struct mip_profile mip_profile_gq4_45;
  *
  * Also called 3DM-GQ7. Generation 7. Model number 6284. Sensors: accelerometer, gyroscope,
  * magnetometer, pressure sensor. GNSS receivers: 2. GNSS antennas: 2. Manual: MicroStrain 3DM-GQ7
- * Documentation, online, known from some pages. This profile is incomplete: Only some pages of the
- * manual are known, so it has more commands and data. This profile is incomplete: The baud rates of
- * the Aux port are not known, nor all of its protocols. Uncertain: The values of
+ * Documentation, online, known from some pages. This profile is incomplete: Only some pages of its
+ * manual are known; the device has further commands and data. This profile is incomplete: The baud
+ * rates of the Aux port are not known, nor all of its protocols. Uncertain: The values of
  * mip_filter_magnetic_declination_source are those that MSCL offers. Uncertain: According to MSCL,
  * firmware from 1.0 to below 1.1 has only the values `all_internal` and `external` of
  * mip_filter_gnss_source.
@@ -419,8 +419,8 @@ extern MIP_API const struct mip_profile mip_profile_gx5_25;
  * Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Sensors: accelerometer,
  * gyroscope, magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD
  * 3DM-GX5-35 DCP Manual, revision unknown, known from some pages. This profile is incomplete: Only
- * some pages of the manual are known, so it has more commands and data. Uncertain: The base rates
- * are those that the manual states for all 3DM-GX5.
+ * some pages of its manual are known; the device has further commands and data. Uncertain: The base
+ * rates are those that the manual states for all 3DM-GX5.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -433,12 +433,12 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Sensors: accelerometer, gyroscope,
  * magnetometer, pressure sensor. GNSS receivers: 1. GNSS antennas: 1. Manual: LORD 3DM-GX5-45 DCP
  * Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
- * the manual are known, so it has more commands and data. This profile is incomplete: Only four
- * fields of the filter data are listed; the manual documents 27 or more. Uncertain: The values of
- * mip_filter_gnss_source are those that MSCL offers. Uncertain: The base rates are those that the
- * manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the
- * manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual states the length of
- * mip_3dm_device_status_basic_without_state_response and offsets of
+ * its manual are known; the device has further commands and data. This profile is incomplete: Only
+ * four fields of the filter data are listed; the manual documents 27 or more. Uncertain: The values
+ * of mip_filter_gnss_source are those that MSCL offers. Uncertain: The base rates are those that
+ * the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in
+ * the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual states the length
+ * of mip_3dm_device_status_basic_without_state_response and offsets of
  * mip_3dm_device_status_diagnostic_gx4_response; MSCL differs.
  *
  * - mip-sdk-4: Device models
