@@ -88,6 +88,11 @@ class KnownDevice:
         """The id of the device; None if it is not known, or if several sent the data."""
         return self.named or (next(iter(self._devices)) if len(self._devices) == 1 else None)
 
+    @property
+    def titles(self) -> list[str]:
+        """The names of the devices that have replied."""
+        return [DEVICES[device].title for device in self._devices]
+
     def ask(self, port: Any) -> bool:
         """Asks the device at an open port, which may not reply. Returns True: what it sends meanwhile is kept."""
         if self.named is None and identity_type() is not None:
@@ -208,7 +213,7 @@ class KnownDevice:
 
     def lines(self, names: bool = True) -> list[str]:
         """Says in a line what is assumed about the device; `names`: does the output name values?"""
-        others = [DEVICES[device].title for device in self._devices if device != self.named]
+        others = [title for title in self.titles if self.named is None or title != DEVICES[self.named].title]
         found = in_words(others)
         if self.named is not None:
             where = next(iter(self._devices.values()), "")

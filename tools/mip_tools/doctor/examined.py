@@ -54,4 +54,5 @@ class Examined:
     names: dict[Key, str] = field(default_factory=dict)
     spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets arrived, in ns
     sentences: int = 0
+    devices: list[str] = field(default_factory=list)  # that have replied
     unnamed: list[str] = field(default_factory=list)  # fields whose flags depend on the device

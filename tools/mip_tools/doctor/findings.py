@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..binding import DEVICE_CLOCK, SECOND, UnknownName, registry
+from ..devices.known import in_words
 from ..logs.assumed import REMEDY
 from ..logs.recognize import UNKNOWN, recognized
 from ..text import show
@@ -58,7 +59,9 @@ def _events(examined: Examined) -> Iterator[Finding]:
             lines = [event_line(e, examined) for e in own[:LISTED]]
             more = [f"and {len(own) - LISTED} more"] if len(own) > LISTED else []
             whole = recognized(examined.begin) if cause == "line damage" else UNKNOWN
-            yield Finding(cause, text, str(whole) if whole.what.startswith("MIP with") else meaning, (*lines, *more))
+            yield Finding(
+                cause, text, str(whole) if whole.what.startswith(("MIP with", "MIP in")) else meaning, (*lines, *more)
+            )
 
 
 def event_line(event: Event, examined: Examined) -> str:
@@ -115,7 +118,11 @@ def _warnings(examined: Examined) -> Iterator[Finding]:
         notes = [f"affects {', '.join(fields)}"] if fields else []
         notes += [f"see {', '.join(f'`mip fields {c}`' for c in commands)}"] if commands else []
         yield Finding(w.bit, f"set {share}", w.text, tuple(notes))
-    if examined.unnamed:
+    if len(examined.devices) > 1:
+        yield Finding(
+            "several devices", f"the log has data of {in_words(examined.devices)}", "record each device by itself"
+        )
+    elif examined.unnamed:
         names = ", ".join(examined.unnamed)
         yield Finding("unknown device", f"{names}: flags depend on the device", "name the device with --device")
 

@@ -17,6 +17,8 @@ EQUAL = 0.1
 GAP = 1.5
 #: The number of intervals that are compared at once.
 _WINDOW = 1024
+#: The number of intervals, and the multiple, up to which packets that are missing all the time are recognized.
+_MANY, _MOST = 20, 5
 #: The longest interval in ns: the difference of two still fits into 64 bits.
 _LONGEST = 1 << 61
 
@@ -53,6 +55,17 @@ class Rhythm:
         self._count = 0
         self._began: Moment | None = None
         self._gaps: list[Gap] = []
+        self._first_steps: list[int] = []  # until the usual interval is known
+
+    def lossy(self) -> int | None:
+        """Returns the interval in ns of which all intervals are multiples, as if packets were missing all the time, so
+        that none became usual."""
+        least = min(self._first_steps, default=0)
+        multiples = [step / least for step in self._first_steps if least]
+        few = len(multiples) < _MANY or self.usual is not None or not 1.5 < max(multiples) < _MOST
+        if few or any(abs(multiple - round(multiple)) > EQUAL for multiple in multiples):
+            return None
+        return least if sum(multiple < 1.5 for multiple in multiples) > len(multiples) // 4 else None
 
     def follow(self, times: Array, moment: Callable[[int], Moment]) -> Iterator[tuple[int, Gap | Change]]:
         """Yields the gaps and changes that further packets reveal, each with the number of the packet that revealed it.
@@ -88,6 +101,8 @@ class Rhythm:
 
     def _add(self, step: int, before: Moment, now: Moment) -> list[Gap | Change]:
         """Returns the gaps and changes that one more interval reveals."""
+        if self.usual is None and len(self._first_steps) < _WINDOW:
+            self._first_steps.append(step)
         if self._count and abs(step - self._run) < EQUAL * self._run:
             self._count += 1
         else:

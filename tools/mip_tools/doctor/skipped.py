@@ -15,6 +15,7 @@ from ..text import show
 #: The beginning of a sentence whose end is missing.
 _BEGUN = re.compile(rb"[$!][ -~]*\r?\Z")
 _MOST = 1 << 16  # bytes that are kept
+_BLOCK = 400  # more equal bytes than a packet can have
 
 
 class Damage(NamedTuple):
@@ -23,7 +24,7 @@ class Damage(NamedTuple):
     begin: int
     end: int
     text: str
-    cut_off: bool = False  # the log ends within a packet
+    cause: str
 
 
 class Skipped:
@@ -81,4 +82,8 @@ class Skipped:
         cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in reason)
         if rest and self._begin:  # a recording may begin within a packet
             text = f"{count} bytes of a packet" if cut_off else f"{count} bytes are not packets"
-            yield Damage(self._begin, self._end, f"{text}{': ' * bool(reason)}{reason}", cut_off)
+            cause = "cut off" if cut_off else "line damage"
+            empty = max((0, 0xFF), key=rest.count)
+            if rest.count(empty) > max(_BLOCK, 0.9 * len(rest)):
+                text, reason, cause = f"{count} bytes, nearly all of them {empty:02X}", "", "never written"
+            yield Damage(self._begin, self._end, f"{text}{': ' * bool(reason)}{reason}", cause)

@@ -84,6 +84,7 @@ class Examination:
         self._noted: list[_Noted] = []
         self._skipped = Skipped()
         self._flags = Flags(log)
+        self._sender = log.sender
         self._values = Values()
         self._sets: dict[int, _Set] = {}
         self._in_order = line.clocks(line.sets).in_order
@@ -138,6 +139,7 @@ class Examination:
         result.rates = {key: rate for key, rate in rates.items() if rate}
         result.sentences = self._skipped.sentences
         result.unnamed = self._flags.unnamed
+        result.devices = self._sender.titles
         result.warned = list(self._flags.warned(result.names))
         result.seldom_valid = list(self._flags.seldom_valid())
         return result
@@ -145,8 +147,7 @@ class Examination:
     # ------------------------------------------------------------------ events
 
     def _damaged(self, damages: Iterator[Damage]) -> None:
-        for begin, end, text, cut_off in damages:
-            cause = "cut off" if cut_off else "line damage"
+        for begin, end, text, cause in damages:
             self._noted.append(_Noted(begin, 0, Event(cause, begin, end, None, details=[text])))
 
     def _note(self, line: Line) -> None:
@@ -315,6 +316,10 @@ class Examination:
         """Finds fields that began later than the others, or ended before them."""
         for key, name in self.result.names.items():
             rhythm = self._rhythms.get(key)
+            if rhythm and rhythm.first and (least := rhythm.lossy()):
+                text = f"{name}: intervals are multiples of {least / SECOND:.3g} s: packets are missing all the time"
+                at = rhythm.first
+                self._keep(Event("overload", at.begin, at.end, at.time, sets={key[0]}, details=[text]))
             if rhythm is None or rhythm.usual is None or rhythm.last is None or rhythm.first is None:
                 continue
             away = max(_AWAY * rhythm.usual, _AWAY_SECONDS * SECOND)

@@ -23,6 +23,8 @@ _ALIVE = 0.9
 _SATURATED = 5
 #: A value that differs from both neighbours by this many usual steps is a spike.
 _SPIKE = 100
+#: Spikes in more than one of so many values are not those of a disturbance.
+_MANY = 10
 #: A device with less variation, in g, is at rest; gravity is then within this angle of the z axis.
 _REST, _LEVEL = 0.05, np.cos(np.radians(60))
 _GRAVITY = "measured.specific_force"
@@ -135,7 +137,7 @@ class _Channel:
             yield "not a number", self.bad, f"{self.bad.number} of {self.bad.number + self.count} values"
         if self.spikes.number:
             yield (
-                "spikes",
+                "implausible" if _MANY * self.spikes.number > self.count else "spikes",
                 self.spikes,
                 f"{self.spikes.number} values leave the others by far, such as {self.spikes.value:.6g}",
             )

@@ -217,11 +217,22 @@ def _damaged(data: bytes) -> Recognized | None:
         return Recognized("MIP that was read as UTF-8 text, and has lost bytes", "read the port in binary mode")
     if syncs > 1 and max(data) < 0x80:
         return Recognized("MIP without the upper bit of each byte", "set the port to 8 data bits, no parity")
-    if syncs > 1 and len(data) > 4096 and not data.count(b"\r") and data.count(b"\n") > len(data) // 200:
-        return Recognized(
-            "MIP without the byte 0D, which a text mode has removed", "read and transfer it in binary mode"
-        )
+    for lost, who, remedy in _LOST if syncs > 1 else ():
+        others = [(byte + away) & 0xFF for byte in lost for away in (-1, 1) if (byte + away) & 0xFF not in lost]
+        if not any(byte in data for byte in lost) and min(map(data.count, others)) > 8:
+            return Recognized(
+                f"MIP without the byte{'s' * (len(lost) > 1)} {lost.hex(' ').upper()}, which {who}", remedy
+            )
     return None
+
+
+#: Bytes that a program or a driver removes, which, and what to do.
+_LOST = (
+    (b"\x11\x13", "software flow control (XON/XOFF) has removed", "turn it off at the port"),
+    (b"\r", "a text mode has removed", "read and transfer it in binary mode"),
+    (b"\n", "a text mode has removed", "read and transfer it in binary mode"),
+    (b"\0", "a program that reads text has removed", "read the port in binary mode"),
+)
 
 
 def _swapped(data: bytes) -> bytes:
@@ -242,7 +253,7 @@ _CHANGES: tuple[tuple[Callable[[bytes], bytes], str, str], ...] = (
     (_swapped, "MIP with the bytes of each 16-bit word swapped", "write bytes, not 16-bit words"),
     (lambda data: bytes(b ^ 0xFF for b in data), "MIP with all bits inverted", "convert RS-232 levels to TTL"),
     (
-        lambda data: data.replace(b"\xdb\xdc", b"\xc0").replace(b"\xdb\xdd", b"\xdb").replace(b"\xc0", b""),
+        lambda data: data.replace(b"\xc0", b"").replace(b"\xdb\xdc", b"\xc0").replace(b"\xdb\xdd", b"\xdb"),
         "MIP in SLIP frames",
         "decode SLIP first",
     ),
