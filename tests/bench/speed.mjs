@@ -154,10 +154,6 @@ const WORK = {
         () => total(starts, ({ view, at }) => keep(fieldsByHand(view, at))),
         () => total(packets, (packet) => keep(registry.decode(packet))),
     ],
-    "Parser and `find`, pieces of 4 KiB": [
-        () => parsedByHand(pieces, ({ view, at }) => foundByHand(view, at)),
-        () => parsed(pieces, found),
-    ],
     "Parser and `registry.decode`, pieces of 4 KiB": [
         () => parsedByHand(pieces, ({ view, at }) => keep(fieldsByHand(view, at))),
         () => parsed(pieces, (packet) => keep(registry.decode(packet))),

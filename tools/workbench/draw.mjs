@@ -9,7 +9,7 @@ const COLOURS = ["--mip-plot-0", "--mip-plot-1", "--mip-plot-2", "--mip-plot-3",
 export const colourOf = ({ number }) => `var(${COLOURS[number % COLOURS.length]})`;
 
 // Pictures read them as colours of the scheme, not as the text of the style sheet.
-for (const name of [...COLOURS, "--mip-line", "--mip-body", "--mip-nose"]) {
+for (const name of [...COLOURS, "--mip-line", "--mip-page", "--mip-body", "--mip-nose"]) {
     globalThis.CSS?.registerProperty({ name, syntax: "<color>", inherits: true, initialValue: "transparent" });
 }
 
@@ -134,6 +134,12 @@ function thinned(points, columns) {
     return kept;
 }
 
+/** Formats a number without a negative zero. */
+export function fixed(value, decimals) {
+    const text = value.toFixed(decimals);
+    return text.replace(/^-(?=0(\.0*)?$)/, "").replace("-", "−");
+}
+
 /** Returns about `count` round numbers from below `low` to above `high`, their step, and a function that formats them. */
 function axis(low, high, count) {
     const rough = (high - low) / count;
@@ -145,11 +151,7 @@ function axis(low, high, count) {
     return {
         ticks,
         step,
-        label: (value) =>
-            value
-                .toFixed(decimals)
-                .replace(/^-(?=0(\.0*)?$)/, "")
-                .replace("-", "−"),
+        label: (value) => fixed(value, decimals),
     };
 }
 
@@ -222,13 +224,6 @@ export function drawAttitude(canvas, rotation) {
     context.lineWidth = 1;
     path(Array.from({ length: 73 }, (_, i) => [1.5 * Math.cos((i * Math.PI) / 36), 1.5 * Math.sin((i * Math.PI) / 36), 0.7]));
     context.stroke();
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillStyle = text;
-    for (const [letter, point] of Object.entries({ N: [1.7, 0, 0.7], E: [0, 1.7, 0.7], S: [-1.7, 0, 0.7], W: [0, -1.7, 0.7] })) {
-        const { x, y } = seen(point);
-        context.fillText(letter, x, y);
-    }
     const turned = ([x, y, z]) => rotation.map((row) => row[0] * x + row[1] * y + row[2] * z);
     const faces = FACES.map(({ points, colour: name }) => {
         const placed = points.map(turned);
@@ -240,6 +235,17 @@ export function drawAttitude(canvas, rotation) {
         context.fillStyle = colour(name);
         context.fill();
         context.strokeStyle = text;
+        context.lineWidth = 1;
         context.stroke();
+    }
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillStyle = text;
+    context.strokeStyle = colour("--mip-page");
+    context.lineWidth = 4;
+    for (const [letter, point] of Object.entries({ N: [1.7, 0, 0.7], E: [0, 1.7, 0.7], S: [-1.7, 0, 0.7], W: [0, -1.7, 0.7] })) {
+        const { x, y } = seen(point); // legible before the vehicle, too
+        context.strokeText(letter, x, y);
+        context.fillText(letter, x, y);
     }
 }

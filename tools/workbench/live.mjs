@@ -8,7 +8,7 @@ import { openWebSocket } from "mip-protocol/websocket";
 import { State } from "./address.mjs";
 import { builder } from "./builder.mjs";
 import { count, deviceOf, element, links, profileNote } from "./dom.mjs";
-import { colourOf, drawAttitude, drawPlot, drawTrack } from "./draw.mjs";
+import { colourOf, drawAttitude, drawPlot, drawTrack, fixed } from "./draw.mjs";
 import { inspectBytes, inspectData } from "./inspect.mjs";
 import { transaction } from "./inspector.mjs";
 import { anglesOf, Readings, rotationOf } from "./readings.mjs";
@@ -613,8 +613,8 @@ class Live {
         this.#parts.picture.hidden = !attitude;
         if (!attitude) return;
         drawAttitude(this.#parts.attitude, attitude);
-        const [roll, pitch, yaw] = anglesOf(attitude).map((angle) => angle.toFixed(1));
-        const text = `Roll ${roll}°, pitch ${pitch}°, heading ${yaw}°`;
+        const [roll, pitch, yaw] = anglesOf(attitude).map((angle) => Math.round(angle * 10) / 10);
+        const text = `Roll ${fixed(roll, 1)}°, pitch ${fixed(pitch, 1)}°, heading ${fixed((yaw + 360) % 360, 1)}°`;
         this.#parts.angles.textContent = text;
         this.#parts.attitude.setAttribute("aria-label", `Attitude: ${text}`);
     }

@@ -11,7 +11,6 @@ export class MipError extends Error {
     }
 }
 
-/** Computes a packet's two checksum bytes from all bytes before them. */
 export function checksum(bytes) {
     let a = 0;
     let b = 0;
@@ -27,7 +26,6 @@ export function camel(words) {
     return words.replace(/_(\D)|(?<!\d)_(\d)/g, (_, letter, digit) => letter?.toUpperCase() ?? digit);
 }
 
-/** Converts bytes to hexadecimal text: "7565", or with a separator "75 65". */
 export function toHex(bytes, between = "") {
     return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }

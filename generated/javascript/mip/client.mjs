@@ -37,24 +37,20 @@ export class Client {
     #missed = 0; // commands without a reply since the last answered barrier
     #behind = 0; // the size of the last barrier, until it is answered
 
-    /** @param options.timeout seconds until a command times out, unless the specification states more for it */
     constructor({ timeout = 1, onSkipped } = {}) {
         checkSeconds(timeout);
         this.#timeout = timeout;
         this.#parser = new Parser({ onSkipped });
     }
 
-    /** The commands that wait for a reply, oldest first. */
     get pending() {
         return this.#waiting.map(({ command }) => command);
     }
 
-    /** The number of received bytes that are not part of a packet. */
     get skipped() {
         return this.#parser.skipped;
     }
 
-    /** The time at which the next command times out; undefined if none waits. */
     get deadline() {
         return this.#waiting.length ? Math.min(...this.#waiting.map(({ deadline }) => deadline)) : undefined;
     }
@@ -111,12 +107,10 @@ export class Client {
         return before.map(timedOut);
     }
 
-    /** Processes received bytes. Returns the events up to now: answers, other packets, time-outs. */
     receive(bytes, now) {
         return [...this.#events(this.#parser.feed(bytes)), ...this.poll(now)];
     }
 
-    /** Discards an incomplete packet, for example at the end of a file, and searches its bytes. */
     flush(now) {
         return [...this.#events(this.#parser.flush()), ...this.poll(now)];
     }
@@ -133,21 +127,12 @@ export class Client {
         return [...events, ...this.poll(now)];
     }
 
-    /**
-     * Stops waiting for this command. A late reply to it is not matched to another one.
-     *
-     * @param options.silent true if the device does not reply to it
-     */
     cancel(command, { silent = false } = {}) {
         const left = this.#waiting.filter((one) => one.command !== command);
         if (!silent) this.#miss(this.#waiting.length - left.length);
         this.#waiting = left;
     }
 
-    /**
-     * Handles a lost connection: waiting commands time out, and an incomplete packet is discarded. Replies that still
-     * arrive over the next connection are not matched to later commands.
-     */
     interrupt() {
         const events = this.#events(this.#parser.flush());
         const given = this.#waiting.map(timedOut);

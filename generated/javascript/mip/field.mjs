@@ -76,12 +76,10 @@ export class Field {
         for (const key of Object.keys(values)) if (values[key] !== undefined) this[key] = values[key];
     }
 
-    /** Decodes a field's data; bytes left over are not an error. Throws a MipError. */
     static decode(data) {
         return this.decodeWithTrailing(data).field;
     }
 
-    /** Like `decode`, but also returns the number of bytes left over, which newer devices may send. */
     static decodeWithTrailing(data) {
         const reader = new Reader(bytesOf(data));
         const field = this.layout.decode(reader, 0, reader.end, this.SET);
@@ -92,32 +90,24 @@ export class Field {
         return this.layout.occursIn(set);
     }
 
-    /** Can this be the field's data? Checks what distinguishes a descriptor's layouts: constants and size. */
     static matches(data) {
         return this.layout.matches(data, 0, data.length);
     }
 
-    /** The set of the packet that contained it, or the only set in which it occurs; undefined if unknown. */
     get set() {
         return this.constructor.SET;
     }
 
-    /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode() {
         const { layout, NAME } = this.constructor;
         return encoded(layout, NAME, this, { received: received.get(this), required: layout.required(this.function) });
     }
 
-    /**
-     * Returns its values as JSON can contain them: an integer of more than four bytes as a decimal text, a float that JSON
-     * lacks, such as a NaN, as the text of its bits, "0x7fc00000". Throws a MipError if it cannot be encoded.
-     */
     toJSON() {
         const reader = new Reader(this.encode(), { json: true });
         return { ...this.constructor.layout.decode(reader, 0, reader.end, this.set) };
     }
 
-    /** Makes a field from what `toJSON` returned. Throws a MipError. */
     static fromJSON(values) {
         return this.decode(new this(values).encode());
     }
@@ -136,18 +126,15 @@ export class Field {
         return VALID ? VALID(this, name, device, seen) : this[member] !== undefined;
     }
 
-    /** Makes a packet with only this field, in the set that contained it or in `set`. Throws a MipError. */
     packet(set = this.set) {
         return packetOf([this], set);
     }
 }
 
-/** A field that a device sends as data. */
 export class Data extends Field {
     static ROLE = "data";
 }
 
-/** A field with which the device answers a command, after the acknowledge. */
 export class Response extends Field {
     static ROLE = "response";
 }
@@ -158,12 +145,10 @@ export class Command extends Field {
     static REPLIES = [];
     static SILENCED_BY = [];
 
-    /** The types of its responses. */
     static get RESPONSES() {
         return this.REPLIES.flatMap(([, , layouts]) => layouts);
     }
 
-    /** Does the device acknowledge the command with these values? */
     get answered() {
         const { SILENT } = this.constructor;
         if (!SILENT) return true;
@@ -171,7 +156,6 @@ export class Command extends Field {
         return !functions.includes(Number(this.function)) && !(when.length > 0 && when.every((one) => holds(one, this)));
     }
 
-    /** The types of the response that it requests with these values; layouts may differ by device. */
     get replies() {
         const found = this.constructor.REPLIES.find(
             ([functions, when]) => (!functions || functions.includes(Number(this.function))) && when.every((one) => holds(one, this)),

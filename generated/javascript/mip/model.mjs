@@ -34,7 +34,6 @@ export class Protocol {
         }
     }
 
-    /** Finds a field by its name, "3dm.pps_source_control", or its name in one of its sets, "gnss_2.dop". */
     field(name) {
         return found(this.fields, name, "field");
     }
@@ -48,7 +47,6 @@ export class Protocol {
         return this.model.scalars[name];
     }
 
-    /** Returns the layouts that a descriptor may have in a packet of this set. */
     candidates(set, descriptor) {
         if (set < FIRST_DATA_SET && descriptor === this.acknowledge.descriptor) return [this.acknowledge];
         const own = this.layouts.get(set * 256 + descriptor);
@@ -75,13 +73,11 @@ export class Protocol {
     }
 }
 
-/** Returns the device with a model number: 6292, or "6292-4270"; undefined if there is none. */
 export function deviceWithNumber({ model }, number) {
     const digits = /^\s*(\d+)(?=[-. \0]|$)/.exec(String(number))?.[1];
     return digits && model.devices?.find((device) => device.model_number === Number(digits));
 }
 
-/** Returns the sets in which a field occurs, with its name in each. */
 export function placesOf(field) {
     return field.occurrences ?? [{ set: field.set, name: field.name }];
 }

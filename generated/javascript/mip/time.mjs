@@ -66,17 +66,14 @@ export class Times {
     /** Did later flags change how those before them are read? Then read a log again with this object. */
     changed = false;
 
-    /** @param options.device the id of the device, if it is known */
     constructor({ device } = {}) {
         this.#device = device;
     }
 
-    /** Returns the time of a packet by a clock, like `packet.time`. */
     time(packet, clock) {
         return clock.timeOf(packet, this.#device, this);
     }
 
-    /** The ids of the devices whose flags were recognized; undefined if the usual ones, or those of a named device, hold. */
     get recognized() {
         return this.#device === undefined ? [...this.#seen].map(([isValid, bits]) => isValid.devices(bits)).find(Boolean) : undefined;
     }

@@ -31,7 +31,6 @@ export class Device {
     #heard = 0;
     #incomplete = false;
 
-    /** The number of packets that were dropped because they were not read in time. */
     dropped = 0;
 
     constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped, explain } = {}) {
@@ -41,7 +40,6 @@ export class Device {
         this.#client = new Client({ timeout, onSkipped });
     }
 
-    /** @param open opens the port, and is called again by `reopen` */
     static async open(open, options = {}) {
         const device = new Device(open, options);
         await device.#begin();
@@ -56,43 +54,30 @@ export class Device {
         this.#read(this.#port);
     }
 
-    /** Is the port closed or lost? Data that has arrived can still be read. */
     get closed() {
         return this.#end !== undefined;
     }
 
-    /** The number of bytes that are not part of a packet. */
     get skipped() {
         return this.#client.skipped;
     }
 
-    /** The number of packets that can be read without waiting. */
     get waiting() {
         return this.#packets.length;
     }
 
     // ------------------------------------------------------------------------------------------------ commands
 
-    /**
-     * Sends a command, waits for the reply and returns the response; undefined if it has none.
-     *
-     * Throws a MipError: "refused" (with `code`), "timeout", "missing_response", "closed", or why the response cannot be
-     * decoded; and, before anything is sent, why the command cannot be encoded.
-     *
-     * @param options.timeout seconds to wait for this command
-     */
     async request(command, options) {
         const [response] = await this.requestAll([command], options);
         return response;
     }
 
-    /** Sends commands of one set in one packet and returns the response of each. Throws the error of the first that fails. */
     async requestAll(commands, options) {
         const outcomes = await this.exchange(commands, options);
         return outcomes.map((outcome, i) => responseOf(outcome, commands[i]));
     }
 
-    /** Like `requestAll`, but returns all outcomes, even of failed commands; undefined for one that is never acknowledged. */
     async exchange(commands, options = {}) {
         for (const command of commands) await this.#askFor(command);
         const outcomes = await Promise.all(await this.#send(commands, options, true));
@@ -103,7 +88,6 @@ export class Device {
         return outcomes;
     }
 
-    /** Sends commands of one set in one packet and does not wait for replies, which are treated as data. */
     async send(...commands) {
         await this.#send(commands, {}, false);
     }
@@ -190,7 +174,6 @@ export class Device {
 
     // ------------------------------------------------------------------------------------------------ data
 
-    /** Yields data packets as they arrive, until the device is closed; throws "closed" when the port is lost. */
     async *[Symbol.asyncIterator]() {
         for (;;) {
             const packet = await this.next();
@@ -221,12 +204,10 @@ export class Device {
         });
     }
 
-    /** Yields the fields of these types as they arrive. Throws a MipError at one that cannot be decoded. */
     async *fields(...kinds) {
         for await (const packet of this) for (const kind of kinds) yield* packet.findAll(kind);
     }
 
-    /** Discards the data that has not been read yet. */
     clear() {
         this.#packets.length = 0;
     }
@@ -301,7 +282,6 @@ export class Device {
 
     // ------------------------------------------------------------------------------------------------ the port
 
-    /** Closes the port. Waiting commands end with "closed", and loops over the data end. */
     async close() {
         this.#closed = true;
         this.#lose(undefined, "the device was closed");

@@ -1,4 +1,5 @@
 // The MIP protocol in JavaScript: what every program uses. Fields are in modules of their own, one for each set.
+// The declarations, in index.d.mts, describe what is public.
 
 export { checksum, fromHex, MipError, toHex } from "./bytes.mjs";
 export { Client } from "./client.mjs";

@@ -10,10 +10,8 @@ const HEAD = 4;
 const TAIL = 2;
 const MAX_PAYLOAD = 255;
 
-/** Descriptor set of the fields that are valid in every data set. */
 export const SHARED_SET = 255;
 
-/** The lowest number of a data set; command sets are below. */
 export const FIRST_DATA_SET = 128;
 
 /** May a packet have this descriptor set? Not 0 or 255, which denote all command sets and all data sets. */
@@ -54,7 +52,6 @@ export class Packet {
         return this.#reader;
     }
 
-    /** Checks that bytes are a whole packet. Throws a MipError: "sync", "length" or "checksum". */
     static from(given) {
         const bytes = bytesOf(given);
         if (!sameBytes(bytes.subarray(0, 2), SYNC)) throw new MipError("sync", `it does not begin with ${toHex(SYNC, " ")}`);
@@ -92,12 +89,10 @@ export class Packet {
         return this.bytes.subarray(-TAIL);
     }
 
-    /** The correct checksum. */
     get rightChecksum() {
         return checksum(this.bytes.subarray(0, -TAIL));
     }
 
-    /** Is the checksum correct? */
     get sound() {
         return sameBytes(this.checksum, this.rightChecksum);
     }
@@ -136,12 +131,10 @@ export class Packet {
         return clock.timeOf(this, device);
     }
 
-    /** Returns the first field of a type; undefined if there is none. Throws a MipError if it cannot be decoded. */
     find(kind) {
         return this.#search(kind);
     }
 
-    /** Returns the fields of a type, in order. Throws a MipError if one cannot be decoded. */
     findAll(kind) {
         return this.#search(kind, []);
     }

@@ -17,10 +17,8 @@ export class Parser {
     #begin = 0; // the pending bytes in it
     #end = 0;
 
-    /** @param options.onSkipped is called with bytes that are not part of a packet, in order with the packets */
     constructor({ onSkipped } = {}) {
         this.onSkipped = onSkipped;
-        /** The number of bytes so far that are not part of a packet. */
         this.skipped = 0;
     }
 
@@ -46,7 +44,6 @@ export class Parser {
         return packets;
     }
 
-    /** Ends the stream: returns the packets within an incomplete one. */
     flush() {
         return this.#search([], true);
     }
@@ -56,7 +53,6 @@ export class Parser {
         return this.#block.subarray(this.#begin, this.#end);
     }
 
-    /** Discards an incomplete packet if a whole packet begins within it, because it was noise. */
     lookBehind() {
         for (let at = this.#begin + 1; at < this.#end; at++) {
             if (!packetAt(this.#block, at, this.#end)) continue;

@@ -18,12 +18,10 @@ export class Registry {
         for (const kind of this.fields) this.#names.set(kind.NAME, kind);
     }
 
-    /** Finds the class with this name in the specification, "sensor.scaled_accel"; undefined if there is none. */
     field(name) {
         return this.#names.get(name);
     }
 
-    /** Returns the classes that a descriptor may have in a packet of this set. */
     types(set, descriptor) {
         const key = set * 256 + descriptor;
         let found = this.#found.get(key);
@@ -37,16 +35,11 @@ export class Registry {
         return found;
     }
 
-    /** Returns the class that fits a field's data; undefined if there is none. */
     typeOf(set, descriptor, bytes, from = 0, to = bytes.length) {
         const found = this.types(set, descriptor);
         return found.length < 2 ? found[0] : found.find(({ layout }) => layout.matches(bytes, from, to));
     }
 
-    /**
-     * Decodes the fields of a packet. An unknown field stays a RawField, and so does one that cannot be decoded, with the
-     * MipError as its `error`. A malformed field ends the list.
-     */
     decode(packet) {
         const { reader, set } = packet;
         const { bytes } = reader;

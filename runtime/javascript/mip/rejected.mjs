@@ -5,12 +5,6 @@ import { MipError } from "./bytes.mjs";
 import { deviceWithNumber, Protocol } from "./model.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "./packet.mjs";
 
-/**
- * Makes the option `explain` of a device: finds the field for which the device rejected a command, and asks the device once
- * what it is and what it sends.
- *
- * @param model the default export of model.mjs
- */
 export function rejections(model) {
     const protocol = new Protocol(model);
     const ports = new WeakMap(); // port -> what is known about the device there

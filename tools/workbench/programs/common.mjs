@@ -96,6 +96,14 @@ export function requiredParameters(protocol, field, values) {
     return all.slice(0, protocol.required(field, values.function));
 }
 
+/** Returns the name of the function that a call selects, the parameters that it takes, and whether a response comes. */
+export function callOf({ protocol }, field, values) {
+    refuseOptional(protocol, field, values);
+    const taken = requiredParameters(protocol, field, values).filter((one) => !isDerived(one) && !isReserved(one));
+    const way = field.calls && protocol.functions.get(Number(values.function))?.name;
+    return { way, taken, asks: responseTo(protocol, field, values) !== undefined };
+}
+
 export function refuseOptional(protocol, field, values) {
     const required = new Set(requiredParameters(protocol, field, values).map((parameter) => parameter.name));
     const more = field.parameters.find(({ name, selector }) => !selector && !required.has(name) && values[name] !== undefined);

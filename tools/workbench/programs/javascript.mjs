@@ -1,20 +1,7 @@
 // Programs in JavaScript.
 
 import { bitsNumber } from "mip-protocol/tools";
-import {
-    after,
-    alternativeOf,
-    brackets,
-    isDerived,
-    isReserved,
-    laidOut,
-    numberText,
-    operationOf,
-    printable,
-    refuseOptional,
-    requiredParameters,
-    responseTo,
-} from "./common.mjs";
+import { after, alternativeOf, brackets, callOf, isDerived, isReserved, laidOut, numberText, operationOf, printable } from "./common.mjs";
 import { hexLiteral } from "../words.mjs";
 
 export function javascriptProgram(names, field, calls) {
@@ -25,12 +12,10 @@ export function javascriptProgram(names, field, calls) {
     }
     const lines = [];
     for (const values of calls) {
-        refuseOptional(names.protocol, field, values);
-        const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
-        const asks = responseTo(names.protocol, field, values) !== undefined;
-        const made = function_ ? `${names.type(field)}.${names.member(function_)}(` : `new ${names.type(field)}(`;
-        const given = membersOf(names, field, requiredParameters(names.protocol, field, values), values);
-        const call = function_ && !given.items.length ? brackets("", [], "") : given;
+        const { way, taken, asks } = callOf(names, field, values);
+        const made = way ? `${names.type(field)}.${names.member(way)}(` : `new ${names.type(field)}(`;
+        const given = membersOf(names, field, taken, values);
+        const call = way && !given.items.length ? brackets("", [], "") : given;
         const head = `${asks ? "console.log(" : ""}await device.request(${made}`;
         lines.push(laidOut(after(head, { ...call, tail: `${call.tail}))${asks ? ")" : ""};` }), 84));
     }

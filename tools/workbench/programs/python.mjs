@@ -5,6 +5,7 @@ import {
     after,
     alternativeOf,
     brackets,
+    callOf,
     isDerived,
     isReserved,
     isUnion,
@@ -12,9 +13,6 @@ import {
     numberText,
     operationOf,
     printable,
-    refuseOptional,
-    requiredParameters,
-    responseTo,
 } from "./common.mjs";
 import { hexLiteral } from "../words.mjs";
 
@@ -28,12 +26,9 @@ export function pythonProgram(names, field, calls) {
     }
     const lines = [];
     for (const values of calls) {
-        refuseOptional(names.protocol, field, values);
-        const asked = requiredParameters(names.protocol, field, values).filter((one) => !isDerived(one) && !isReserved(one));
-        const given = asked.map((one) => pythonValue(names, field, one, operationOf(field, one.name), values[one.name]));
-        const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
-        const asks = responseTo(names.protocol, field, values) !== undefined;
-        const head = `${asks ? "print(" : ""}device.request(${names.type(field)}${function_ ? `.${names.member(function_)}` : ""}(`;
+        const { way, taken, asks } = callOf(names, field, values);
+        const given = taken.map((one) => pythonValue(names, field, one, operationOf(field, one.name), values[one.name]));
+        const head = `${asks ? "print(" : ""}device.request(${names.type(field)}${way ? `.${names.member(way)}` : ""}(`;
         lines.push(laidOut(brackets(head, given, asks ? ")))" : "))"), 84));
     }
     return pythonImports(names, lines.join("\n"));

@@ -1,19 +1,6 @@
 // Programs in Rust.
 
-import {
-    alternativeOf,
-    brackets,
-    fail,
-    isDerived,
-    isReserved,
-    laidOut,
-    numberText,
-    operationOf,
-    printable,
-    refuseOptional,
-    requiredParameters,
-    responseTo,
-} from "./common.mjs";
+import { alternativeOf, brackets, callOf, fail, isDerived, isReserved, laidOut, numberText, operationOf, printable } from "./common.mjs";
 
 export function rustProgram(names, field, calls) {
     if (!calls) {
@@ -24,13 +11,10 @@ export function rustProgram(names, field, calls) {
     }
     const lines = [];
     for (const values of calls) {
-        refuseOptional(names.protocol, field, values);
-        const required = requiredParameters(names.protocol, field, values);
-        const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
-        const made = function_ ? names.table.constructors[function_] : "new";
-        const asks = responseTo(names.protocol, field, values) !== undefined;
+        const { way, taken, asks } = callOf(names, field, values);
+        const made = way ? names.table.constructors[way] : "new";
         const head = `${asks ? 'println!("{:?}", ' : ""}device.request(&${names.type(field)}::${made}(`;
-        const given = rustGiven(names, field, required, values);
+        const given = rustGiven(names, field, taken, values);
         lines.push(laidOut(brackets(head, given, asks ? "))?);" : "))?;"), 84));
     }
     return rustUses(names, lines.join("\n"));
