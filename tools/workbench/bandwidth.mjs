@@ -27,7 +27,7 @@ export function bandwidth(root, protocol, options = {}) {
     const device = deviceChoice(protocol, state, "mip-stream-device", layOut);
     root.replaceChildren(
         ...unknown(protocol, given, to),
-        element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device.control),
+        element("p", element("label", { for: "mip-stream-device" }, "Device "), device.control),
         note,
         output,
         chooser.root,
@@ -41,7 +41,7 @@ function unknown(protocol, given, to) {
     const hits = find(indexOf(protocol), given).map(({ field }) => field);
     return [
         element("p", { class: "mip-wrong" }, `The address contains an unknown device: “${given}”.`),
-        hits.length > 0 && element("p", {}, "Fields that it may mean:"),
+        hits.length > 0 && element("p", "Fields that it may mean:"),
         hits.length > 0 && hitsList(hits, to),
     ].filter(Boolean);
 }
@@ -54,7 +54,7 @@ function report(device, chooser) {
     const ports = portsFor(device, baud).map(({ port, rate }) => {
         const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is sufficient");
         const kind = rate === undefined ? "mip-wrong" : "";
-        return element("li", { "data-port": port.name, class: kind }, `${port.name}: `, element("span", {}, `${words}`), rate ? " Bd" : "");
+        return element("li", { "data-port": port.name, class: kind }, `${port.name}: `, element("span", `${words}`), rate ? " Bd" : "");
     });
     return [
         element(
@@ -63,7 +63,7 @@ function report(device, chooser) {
             `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`,
         ),
         ports.length > 0 && element("ul", { class: "mip-ports", "aria-label": "Smallest baud rate of each port" }, ports),
-        element("p", {}, "Allow headroom for replies to commands. A device drops the packets that do not fit."),
+        element("p", "Allow headroom for replies to commands. A device drops the packets that do not fit."),
     ].filter(Boolean);
 }
 

@@ -67,7 +67,7 @@ export function builder(root, protocol, options = {}) {
     };
     const layOut = () => {
         if (!state.entries.length) return;
-        const send = options.send && element("p", {}, element("button", { type: "button", class: "mip-main", onclick: transmit }, "Send"));
+        const send = options.send && element("p", element("button", { type: "button", class: "mip-main", onclick: transmit }, "Send"));
         forms.replaceChildren(
             ...[...entryForms(protocol, state, { changed: show, reshaped }, to), send, outcome, adder.root].filter(Boolean),
         );
@@ -99,7 +99,7 @@ export function builder(root, protocol, options = {}) {
 
     root.replaceChildren(
         ...[
-            device && element("p", {}, element("label", { for: "mip-device" }, "Device "), device.control),
+            device && element("p", element("label", { for: "mip-device" }, "Device "), device.control),
             note,
             search.root,
             totals,

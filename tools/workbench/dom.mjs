@@ -1,8 +1,9 @@
 // Creates elements of a page, and links to the reference.
 
-/** Creates an element with attributes and children; texts are shown literally. */
-export function element(tag, attributes = {}, ...children) {
+/** Creates an element with children, before which an object of attributes may be; texts are shown literally. */
+export function element(tag, ...children) {
     const made = document.createElement(tag);
+    const attributes = children[0]?.constructor === Object ? children.shift() : {};
     for (const [name, value] of Object.entries(attributes)) {
         if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
         else if (value === true) made.setAttribute(name, "");
@@ -43,7 +44,7 @@ export function links(options = {}) {
 }
 
 function link(href, words) {
-    return href ? element("a", { href }, ...words) : element("span", {}, ...words);
+    return href ? element("a", { href }, ...words) : element("span", ...words);
 }
 
 /** Describes the gaps in the profile of a device, if it is incomplete. */
@@ -120,7 +121,7 @@ export function table(heads, rows, label) {
     return element(
         "div",
         { class: "mip-scroll", tabindex: "0", role: "group", "aria-label": label ?? heads.join(", ") },
-        element("table", {}, element("thead", {}, element("tr", {}, cells)), element("tbody", {}, rows)),
+        element("table", element("thead", element("tr", cells)), element("tbody", rows)),
     );
 }
 

@@ -18,8 +18,8 @@ export function finder(root, protocol, options = {}) {
             find(index, input.value).map(({ field }) => field),
             to,
         );
-        if (packet) list.prepend(element("li", {}, to.inspector(packet)));
-        if (input.value.trim() && !list.children.length) list.append(element("li", {}, "Nothing found."));
+        if (packet) list.prepend(element("li", to.inspector(packet)));
+        if (input.value.trim() && !list.children.length) list.append(element("li", "Nothing found."));
         output.replaceChildren(list);
     };
     const form = element(
@@ -52,12 +52,12 @@ export function hitsList(fields, to) {
             element(
                 "li",
                 { "data-field": field.name },
-                to.field(field, element("strong", {}, field.title)),
+                to.field(field, element("strong", field.title)),
                 ` ${kindOf(field)} `,
-                element("code", {}, field.name),
+                element("code", field.name),
                 " ",
                 to.builder(field),
-                element("div", {}, field.description),
+                element("div", field.description),
             ),
         ),
     );

@@ -32,10 +32,9 @@ export function entryForms(protocol, state, events, to) {
         return element(
             "section",
             { class: "mip-entry", "data-field": entry.field.name },
-            element("h2", {}, `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field, state.set)}`),
+            element("h2", `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field, state.set)}`),
             element(
                 "p",
-                {},
                 button("Up", move(-1), i === 0),
                 " ",
                 button("Down", move(1), i === state.entries.length - 1),
@@ -50,7 +49,7 @@ export function entryForms(protocol, state, events, to) {
 function inputs(protocol, state, entry, events) {
     const { field } = entry;
     const sets = setsOf(protocol, field);
-    const parts = [element("p", {}, field.description), ...deviceNotes(protocol, state, field)];
+    const parts = [element("p", field.description), ...deviceNotes(protocol, state, field)];
     if (sets.length > 1 && state.entries.length === 1) {
         const options = sets.map((number) => [number, `${protocol.sets.get(number)?.title ?? ""} (${hexByte(number)})`]);
         const change = (number) => {
@@ -85,7 +84,7 @@ function deviceNotes(protocol, { device, set }, field) {
         element(
             "ul",
             { class: "mip-device-notes" },
-            found.map((text) => element("li", {}, `${device.title}: ${text}`)),
+            found.map((text) => element("li", `${device.title}: ${text}`)),
         ),
     ];
 }
@@ -115,5 +114,5 @@ function optionalButtons(protocol, entry, events) {
         present > 0 &&
             element("button", { type: "button", onclick: leaveOut, class: "mip-less" }, `Leave out ${names(groups[present - 1])}`),
     ].filter(Boolean);
-    return buttons.length ? [element("p", {}, buttons)] : [];
+    return buttons.length ? [element("p", buttons)] : [];
 }

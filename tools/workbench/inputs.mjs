@@ -10,12 +10,12 @@ let lastInput = 0; // for ids
 
 export function labelled(words, control, ...behind) {
     control.id ||= `mip-input-${++lastInput}`;
-    return element("p", {}, element("label", { for: control.id }, `${words} `), control, ...behind);
+    return element("p", element("label", { for: control.id }, `${words} `), control, ...behind);
 }
 
 export function select(options, value, set) {
     const known = options.map(([number, words]) => element("option", { value: number, selected: isSame(number, value) }, words));
-    const control = element("select", {}, known);
+    const control = element("select", known);
     control.addEventListener("input", () => set(numberOfText(control.value, "unsigned")));
     return control;
 }
@@ -31,7 +31,7 @@ export function input(context, op) {
         events.changed();
     };
     const hint = [unitOf(parameter), parameter.description].filter(Boolean).join(" · ");
-    const note = hint ? [" ", element("small", {}, hint)] : [];
+    const note = hint ? [" ", element("small", hint)] : [];
     const inside = (struct, inner) => ({ ...context, record: struct, values: inner, outer: { parameter, values } });
     switch (op.kind) {
         case "scalar":
@@ -95,7 +95,6 @@ function enumInput(type, value, set) {
     const other = enumValue(type, value) ? undefined : value;
     const control = element(
         "select",
-        {},
         [...known, ["other", "another number"]].map(([number, words]) =>
             element("option", { value: number, selected: other === undefined ? isSame(number, value) : number === "other" }, words),
         ),
@@ -232,7 +231,7 @@ function bitsInput(name, type, value, set) {
     });
     whole.value = hexLiteral(number);
     showAll();
-    const controls = named.map(({ bits, control }) => labelled(bits.name, control, " ", element("small", {}, bits.description)));
+    const controls = named.map(({ bits, control }) => labelled(bits.name, control, " ", element("small", bits.description)));
     return group(name, type.description, [labelled("value", whole), ...controls]);
 }
 
@@ -279,7 +278,6 @@ function arrayInput(context, op, parameter, hint) {
     };
     const buttons = element(
         "p",
-        {},
         element("button", { type: "button", onclick: add, disabled: items.length >= op.capacity }, `Add to ${op.member}`),
         " ",
         element("button", { type: "button", onclick: remove, disabled: items.length === 0 }, "Remove the last"),
@@ -288,5 +286,5 @@ function arrayInput(context, op, parameter, hint) {
 }
 
 function group(name, hint, controls) {
-    return element("fieldset", {}, element("legend", {}, name), hint && element("small", {}, hint), controls);
+    return element("fieldset", element("legend", name), hint && element("small", hint), controls);
 }

@@ -49,7 +49,6 @@ export function inspector(root, protocol, options = {}) {
     root.replaceChildren(
         element(
             "p",
-            {},
             element(
                 "label",
                 { for: "mip-bytes" },
@@ -60,7 +59,7 @@ export function inspector(root, protocol, options = {}) {
         element(
             "p",
             { class: "mip-controls" },
-            element("span", {}, element("label", { for: "mip-device" }, "Values as on"), device.control),
+            element("span", element("label", { for: "mip-device" }, "Values as on"), device.control),
             log.chooser,
         ),
         log.output,
@@ -88,7 +87,7 @@ function report({ bytes, ignored, parts, transactions }, to, hits) {
         const words = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: ";
         return [
             element("p", { class: "mip-wrong" }, words, text),
-            fields.length > 0 && element("p", {}, "Fields that it may mean:"),
+            fields.length > 0 && element("p", "Fields that it may mean:"),
             fields.length > 0 && hitsList(fields, to),
         ].filter(Boolean);
     }
@@ -110,11 +109,10 @@ export function transactionList(transactions, to) {
     return element(
         "section",
         { class: "mip-transactions" },
-        element("h2", {}, "Commands and answers"),
+        element("h2", "Commands and answers"),
         element(
             "ol",
-            {},
-            transactions.map((one) => element("li", {}, transaction(one, to))),
+            transactions.map((one) => element("li", transaction(one, to))),
         ),
     );
 }
@@ -127,15 +125,14 @@ export function transaction({ command, answer, response }, to) {
     const asked = command ? command.rows.map((row) => `${row.path} ${rowText(row)}`).join(", ") : "";
     const became = !answered ? "no reply here" : answered.text;
     return [
-        element("strong", {}, named),
+        element("strong", named),
         field && ` ${descriptorOf(field)} `,
         asked && element("span", { class: "mip-asked" }, asked),
         element("div", { class: !answered ? "mip-note" : answered.accepted ? "mip-right" : "mip-refused" }, `${became}.`),
         response?.rows.length > 0 &&
             element(
                 "ul",
-                {},
-                response.rows.map((row) => element("li", {}, element("code", {}, row.path), ` = ${rowText(row)}`)),
+                response.rows.map((row) => element("li", element("code", row.path), ` = ${rowText(row)}`)),
             ),
     ].filter(Boolean);
 }
@@ -149,7 +146,7 @@ function otherBytes({ bytes, why }) {
     return element(
         "section",
         { class: "mip-other", "data-kind": "other" },
-        element("p", {}, `${count(bytes.length, "byte")} outside packets: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
+        element("p", `${count(bytes.length, "byte")} outside packets: `, element("code", spacedHex(bytes)), ` ${text}`),
         why.map(({ at, error }) =>
             element("p", { class: "mip-wrong" }, `The bytes from byte ${at + 1} look like a packet, but are not one: ${error.message}.`),
         ),
@@ -163,9 +160,9 @@ export function packetReport(part, to) {
     return element(
         "section",
         { class: "mip-packet", "data-kind": kind, "data-bytes": spacedHex(bytes) },
-        element("h2", {}, title),
+        element("h2", title),
         element("p", { class: "mip-bytes" }, bytesShown),
-        element("p", {}, copies(part), " ", verdict(part)),
+        element("p", copies(part), " ", verdict(part)),
         part.misprints.map((misprint) => misprintNote(misprint, to)),
         fields.map((field) => fieldReport(field, bytes[2], to)),
     );
@@ -177,15 +174,15 @@ function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
         return element("span", { class: "mip-verdict mip-wrong" }, `The packet is incomplete: ${missing} missing.`);
     }
     if (sound) {
-        return element("span", { class: "mip-verdict mip-right" }, "Checksum ", element("code", {}, spacedHex(checksum)), " is right.");
+        return element("span", { class: "mip-verdict mip-right" }, "Checksum ", element("code", spacedHex(checksum)), " is right.");
     }
     return element(
         "span",
         { class: "mip-verdict mip-wrong" },
         "Checksum ",
-        element("code", {}, spacedHex(checksum)),
+        element("code", spacedHex(checksum)),
         " is wrong; correct: ",
-        element("code", {}, spacedHex(rightChecksum)),
+        element("code", spacedHex(rightChecksum)),
         ".",
     );
 }
@@ -195,7 +192,7 @@ function misprintNote({ example, right, errata }, to) {
         "p",
         { class: "mip-note" },
         `The manual ${example.manual} shows these bytes (${example.section}: ${example.title}) by mistake. Correct: `,
-        element("code", {}, spacedHex(right)),
+        element("code", spacedHex(right)),
         ". ",
         errata.length ? ["See ", listed(errata, to), "."] : "",
     );
@@ -209,16 +206,16 @@ function fieldReport(found, set, to) {
     const { field, descriptor, bytes, error, rows = [], errata = [], trailing, answered } = found;
     if (descriptor === undefined) return element("p", { class: "mip-wrong" }, `The rest is malformed: ${error.message}.`);
     const heading = field
-        ? element("h3", {}, to.field(field), ` ${descriptorOf(field, set)} `, element("code", {}, nameIn(field, set)))
-        : element("h3", {}, `Unknown descriptor ${hexByte(descriptor)}`);
+        ? element("h3", to.field(field), ` ${descriptorOf(field, set)} `, element("code", nameIn(field, set)))
+        : element("h3", `Unknown descriptor ${hexByte(descriptor)}`);
     return element(
         "div",
         { class: "mip-field", "data-field": field?.name ?? "" },
         heading,
         answered
             ? element("p", { class: answered.accepted ? "mip-right" : "mip-refused" }, `${answered.text}.`)
-            : field && element("p", {}, field.description),
-        element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
+            : field && element("p", field.description),
+        element("p", { class: "mip-bytes" }, element("code", spacedHex(bytes))),
         error && element("p", { class: "mip-wrong" }, `It cannot be decoded: ${error.message}.`),
         rows.length > 0 && valueTable(rows, field.title),
         trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} after the last known parameter.`),

@@ -100,7 +100,7 @@ class Live {
             serial: button("Open a serial port …", this.#openPort, { class: "mip-main", disabled: !navigator.serial }),
             status: element("p", { class: "mip-status", role: "status" }, "Not connected."),
             actions: element("p", { class: "mip-actions" }),
-            identity: element("div", {}),
+            identity: element("div"),
             connected: element("div", { hidden: true }),
             preset: element("input", { type: "checkbox", id: "mip-preset", checked: true }),
             start: button("Start", this.#start, { class: "mip-main" }),
@@ -117,16 +117,16 @@ class Live {
             load: element("input", { type: "file", id: "mip-settings", accept: ".yaml,.yml,.json" }),
             progress: element("p", { role: "status", "data-what": "settings" }),
         };
-        parts.picture.append(element("h3", {}, "Attitude"), parts.attitude, parts.angles);
+        parts.picture.append(element("h3", "Attitude"), parts.attitude, parts.angles);
         this.#parts = parts;
         this.#chooser = streamChooser(this.#protocol, state, this.#to, () => this.#tellNeed());
-        const commands = element("div", {});
+        const commands = element("div");
         parts.load.addEventListener("change", () => this.#load());
         const connect = element(
             "section",
             { class: "mip-connect" },
-            element("h2", {}, "Connect"),
-            element("p", {}, parts.serial, " ", element("label", { for: "mip-baud" }, "at "), baud),
+            element("h2", "Connect"),
+            element("p", parts.serial, " ", element("label", { for: "mip-baud" }, "at "), baud),
             !navigator.serial && element("p", { class: "mip-note" }, SERIAL),
             element(
                 "form",
@@ -139,17 +139,15 @@ class Live {
                 element("label", { for: "mip-serve" }, "or the address that mip serve prints "),
                 serve,
                 " ",
-                element("button", {}, "Connect"),
+                element("button", "Connect"),
             ),
-            element("p", {}, parts.preset, element("label", { for: "mip-preset" }, " Start inertial data, attitude and position at once")),
+            element("p", parts.preset, element("label", { for: "mip-preset" }, " Start inertial data, attitude and position at once")),
             element(
                 "details",
-                {},
-                element("summary", {}, "Limits of a browser"),
+                element("summary", "Limits of a browser"),
                 element(
                     "ul",
-                    {},
-                    LIMITS.map((text) => element("li", {}, text)),
+                    LIMITS.map((text) => element("li", text)),
                 ),
             ),
         );
@@ -162,7 +160,7 @@ class Live {
             element(
                 "section",
                 { class: "mip-section" },
-                element("h2", {}, "Data"),
+                element("h2", "Data"),
                 parts.counts,
                 element("div", { class: "mip-readings" }, parts.picture, parts.data),
             ),
@@ -444,7 +442,7 @@ class Live {
     async #talk(what, act) {
         const { progress } = this.#parts;
         const bar = element("progress", { max: 1, value: 0, "aria-label": what });
-        const name = element("span", {});
+        const name = element("span");
         progress.replaceChildren(`${what} `, bar, " ", name);
         const tell = (part, field) => {
             bar.value = part;
@@ -457,7 +455,7 @@ class Live {
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
             const [first, ...more] = error.message.split("\n");
-            const lines = more.map((line) => element("span", {}, element("br", {}), line));
+            const lines = more.map((line) => element("span", element("br"), line));
             progress.replaceChildren(element("span", { class: "mip-wrong" }, `${what} failed: ${first}`, lines));
         }
         if (streaming && this.#device) await this.#start();
@@ -489,11 +487,10 @@ class Live {
             }
             const done = await push(this.#protocol, settings, (packet) => this.#ask(packet), tell);
             const said = (of, words) =>
-                of.length > 0 && element("li", {}, `${of.length} ${words}: ${[...new Set(of.map(({ field }) => field.name))].join(", ")}`);
+                of.length > 0 && element("li", `${of.length} ${words}: ${[...new Set(of.map(({ field }) => field.name))].join(", ")}`);
             return element(
                 "ul",
-                {},
-                element("li", {}, `${done.same.length} already as in the file`),
+                element("li", `${done.same.length} already as in the file`),
                 said(done.written, "written, until the next power-off"),
                 said(done.refused, "rejected by the device"),
                 said(done.different, "written, but read back with other values"),
@@ -566,7 +563,7 @@ class Live {
             element(
                 "div",
                 { class: "mip-bar" },
-                element("h3", {}, title, " ", rate),
+                element("h3", title, " ", rate),
                 reading.plottable && element("label", { class: "mip-note" }, box, " plot"),
             ),
             values,
@@ -580,7 +577,7 @@ class Live {
             root.classList.toggle("mip-late", late);
             const rows = inspectData(this.#protocol, reading, this.#state.get("device") || undefined);
             if (rows.length !== cells.length) {
-                const made = rows.map(({ path }) => [element("dt", {}, path), element("dd", {})]);
+                const made = rows.map(({ path }) => [element("dt", path), element("dd")]);
                 values.replaceChildren(...made.flat());
                 cells = made.map(([dt, dd]) => ({ dt, dd }));
             }
@@ -622,7 +619,7 @@ class Live {
 
 /** Creates a collapsible part of the page. */
 function folded(title, children, attributes = {}) {
-    return element("details", { class: "mip-section", ...attributes }, element("summary", {}, element("h2", {}, title)), children);
+    return element("details", { class: "mip-section", ...attributes }, element("summary", element("h2", title)), children);
 }
 
 /** Formats a firmware version like the vendor: 1202 is 1.2.02. */
@@ -642,7 +639,7 @@ function identityList(rows, known) {
     const items = rows.map(({ path, text, meaning }) => {
         const name = path.split(".").at(-1).replaceAll("_", " ");
         const said = text.replace(/^"\s*|\s*"$/g, "");
-        return said && element("div", {}, element("dt", {}, name), element("dd", {}, said, meaning && ` (${meaning})`));
+        return said && element("div", element("dt", name), element("dd", said, meaning && ` (${meaning})`));
     });
     return element("dl", { class: "mip-identity", "data-device": known?.id ?? "" }, items.filter(Boolean));
 }

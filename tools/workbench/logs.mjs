@@ -25,7 +25,7 @@ export function logPanel(protocol, { show, device, opened }) {
         opened();
         const bar = element("progress", { max: Math.max(chosen.size, 1), value: 0, "aria-label": "Read so far" });
         const stop = element("button", { type: "button", onclick: () => reading++ }, "Stop");
-        output.replaceChildren(element("p", {}, `Reading ${chosen.name} `, bar, " ", stop));
+        output.replaceChildren(element("p", `Reading ${chosen.name} `, bar, " ", stop));
         let found;
         try {
             const progress = (bytes) => {
@@ -76,7 +76,7 @@ function logReport(protocol, file, found, show, device, close) {
     const summary = [`${count(found.bytes, "byte")}, ${count(found.packets, "packet")}`, ...beside].join("; ");
     const lines = () => [["field", "descriptor", "count", "rate_hz", "gaps"], ...found.fields.map(cellsOf)];
     return [
-        element("h2", {}, file.name),
+        element("h2", file.name),
         element(
             "p",
             { class: "mip-summary" },
@@ -97,7 +97,7 @@ function logReport(protocol, file, found, show, device, close) {
                     element(
                         "tr",
                         { "data-field": one.name ?? "" },
-                        cellsOf(one).map((text) => element("td", {}, text)),
+                        cellsOf(one).map((text) => element("td", text)),
                     ),
                 ),
                 `Contents of ${file.name}`,
@@ -152,26 +152,19 @@ function gapList(gaps) {
     const item = ({ at, seconds, lost, fields, packet }) =>
         element(
             "li",
-            {},
             `before packet ${packet + 1}: ${Number(seconds.toPrecision(4))} s`,
             at ? ` after ${Number(at.toFixed(4))} s` : "",
             `, ${count(lost, "sample")} of ${fields.map(({ name }) => name ?? "unknown").join(", ")}`,
         );
-    const more = gaps.length > LISTED && element("p", {}, `${gaps.length - LISTED} more gaps.`);
-    return element(
-        "details",
-        {},
-        element("summary", {}, count(gaps.length, "gap")),
-        element("ul", {}, gaps.slice(0, LISTED).map(item)),
-        more || "",
-    );
+    const more = gaps.length > LISTED && element("p", `${gaps.length - LISTED} more gaps.`);
+    return element("details", element("summary", count(gaps.length, "gap")), element("ul", gaps.slice(0, LISTED).map(item)), more || "");
 }
 
 /** Shows the packets of a file page by page; each page is read when it is shown. */
 function pages(protocol, file, found, show, device) {
-    const shown = element("div", {});
+    const shown = element("div");
     const number = element("input", { type: "number", min: 1, max: found.packets, value: 1, id: "mip-log-packet" });
-    const place = element("span", {});
+    const place = element("span");
     const pageOf = (packet) =>
         Math.max(
             0,
@@ -191,10 +184,9 @@ function pages(protocol, file, found, show, device) {
     const section = element(
         "details",
         { class: "mip-pages" },
-        element("summary", {}, "Packets"),
+        element("summary", "Packets"),
         element(
             "p",
-            {},
             step("Earlier", -1),
             place,
             step("Later", 1),

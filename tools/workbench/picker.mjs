@@ -33,10 +33,10 @@ export function picker(index, { id, label, choose, device = () => undefined, set
             element(
                 "button",
                 { type: "button", onclick: () => pick(field, set) },
-                element("strong", {}, field.title, mark(certainty)),
+                element("strong", field.title, mark(certainty)),
                 ` ${descriptorOf(field, set)} `,
                 field.role !== "command" && `${field.role} `,
-                element("code", {}, nameIn(field, set)),
+                element("code", nameIn(field, set)),
             ),
         );
     const placed = (field, chosen) => {
@@ -54,14 +54,14 @@ export function picker(index, { id, label, choose, device = () => undefined, set
         const others = found.filter(({ certainty }) => certainty === undefined);
         const rows = (some) => some.slice(0, SHOWN).map(({ field, set, certainty }) => item(field, set, certainty));
         const more = own.length > SHOWN && element("p", { class: "mip-note" }, `${own.length - SHOWN} more: type another word.`);
-        const nothing = input.value.trim() && !found.length && element("p", {}, `Nothing found for “${input.value.trim()}”.`);
+        const nothing = input.value.trim() && !found.length && element("p", `Nothing found for “${input.value.trim()}”.`);
         const elsewhere = others.length > 0 && [
             element("p", { class: "mip-note" }, `Not supported by the ${chosen.title}:`),
-            element("ul", {}, rows(others).slice(0, own.length ? 3 : SHOWN)),
+            element("ul", rows(others).slice(0, own.length ? 3 : SHOWN)),
         ];
-        list.replaceChildren(...[own.length > 0 && element("ul", {}, rows(own)), more, elsewhere, nothing].flat().filter(Boolean));
+        list.replaceChildren(...[own.length > 0 && element("ul", rows(own)), more, elsewhere, nothing].flat().filter(Boolean));
     };
-    const browse = element("details", { class: "mip-browse" }, element("summary", {}, "Browse by set"));
+    const browse = element("details", { class: "mip-browse" }, element("summary", "Browse by set"));
     browse.addEventListener("toggle", () => {
         if (browse.open) browse.replaceChildren(browse.firstChild, ...setLists());
     });
@@ -75,7 +75,7 @@ export function picker(index, { id, label, choose, device = () => undefined, set
             if (!items.length) return [];
             const title = `${set.title} (${hexByte(set.number)}), ${items.length}`;
             const rows = items.map(([field, certainty]) => item(field, set.number, certainty));
-            return element("details", {}, element("summary", {}, title), element("ul", {}, rows));
+            return element("details", element("summary", title), element("ul", rows));
         });
     };
     const form = element(

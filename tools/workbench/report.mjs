@@ -23,7 +23,7 @@ export function report(protocol, { device, set, entries }, packet, to) {
     const sources = LANGUAGES.map(([key, title]) => {
         const text = sourceOf(packet.bytes, key);
         const copy = copyButton("Copy", () => text);
-        return [element("dt", {}, title, " ", copy), element("dd", {}, element("code", { "data-language": key }, text))];
+        return [element("dt", title, " ", copy), element("dd", element("code", { "data-language": key }, text))];
     });
     const [part] = inspectBytes(protocol, packet.bytes, device?.id);
     const shown = ruler(part);
@@ -33,23 +33,23 @@ export function report(protocol, { device, set, entries }, packet, to) {
             ? [to.field(entries[0].field), ` ${descriptorOf(entries[0].field, set)}`]
             : [`A packet of ${entries.length} fields`];
     return [
-        element("h2", {}, ...title),
+        element("h2", ...title),
         element(
             "section",
             { class: "mip-packet" },
             element("p", { class: "mip-bytes" }, shown),
-            element("p", {}, copies(part), ` ${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
+            element("p", copies(part), ` ${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
             rows.length > 0 && valueTable(rows, "Bytes and parameters"),
         ),
         ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
-        element("h3", {}, "The packet in source code"),
+        element("h3", "The packet in source code"),
         element("dl", { class: "mip-bytes" }, sources),
     ];
 }
 
 /** Shows the programs of a field, and the reply. */
 function entryReport(protocol, { field, values }, several, to) {
-    const heading = several ? [element("h2", {}, to.field(field))] : [];
+    const heading = several ? [element("h2", to.field(field))] : [];
     const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
     return [...heading, ...programs(protocol, field, values), ...answer];
 }
@@ -62,7 +62,7 @@ function programs(protocol, field, values) {
         return element(
             "details",
             { open: key === "python" },
-            element("summary", {}, title),
+            element("summary", title),
             copyButton("Copy", () => text),
             code,
         );
@@ -71,11 +71,7 @@ function programs(protocol, field, values) {
         field.role === "command"
             ? "Each assumes an open `device`."
             : "C and C++ have a `field` of a packet, Rust a `packet`, Python and JavaScript an open `device`.";
-    return [
-        element("h3", {}, field.role === "command" ? "To send it" : "To read it"),
-        element("p", {}, given.replaceAll("`", "")),
-        ...shown,
-    ];
+    return [element("h3", field.role === "command" ? "To send it" : "To read it"), element("p", given.replaceAll("`", "")), ...shown];
 }
 
 function programText(protocol, language, field, values) {
@@ -90,7 +86,7 @@ function programText(protocol, language, field, values) {
 function answerReport(protocol, field, values, to) {
     const { silent, acknowledge, responses, conditions } = answerOf(protocol, field, values);
     const unless = conditions.length ? ` There is no answer if ${conditions.join(" or ")}.` : "";
-    if (silent) return [element("h3", {}, "Answer"), element("p", { class: "mip-answer" }, silent)];
+    if (silent) return [element("h3", "Answer"), element("p", { class: "mip-answer" }, silent)];
     const listed = responses.map(({ field: response, when, packet }) =>
         element(
             "li",
@@ -98,24 +94,24 @@ function answerReport(protocol, field, values, to) {
             to.field(response),
             ` ${descriptorOf(response)}, ${sizeText(response)}`,
             when && `, if ${when}`,
-            element("br", {}),
+            element("br"),
             "for example ",
             element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
             layoutTable(response),
         ),
     );
     return [
-        element("h3", {}, "Answer"),
+        element("h3", "Answer"),
         element(
             "p",
             { class: "mip-answer" },
             listed.length ? "The acknowledge, directly followed by a response in the same packet:" : "The acknowledge: ",
-            !listed.length && element("code", {}, spacedHex(acknowledge.bytes)),
+            !listed.length && element("code", spacedHex(acknowledge.bytes)),
             !listed.length && unless,
         ),
-        listed.length > 0 && element("ul", {}, listed),
-        listed.length > 0 && unless && element("p", {}, unless),
-        element("p", {}, "A NACK is an acknowledge with another code, without a response."),
+        listed.length > 0 && element("ul", listed),
+        listed.length > 0 && unless && element("p", unless),
+        element("p", "A NACK is an acknowledge with another code, without a response."),
     ].filter(Boolean);
 }
 
@@ -126,12 +122,11 @@ function layoutTable(response) {
         const cells = [parameter.name, `${parameter.type ?? "union"}${many}`, unitOf(parameter), parameter.description ?? ""];
         return element(
             "tr",
-            {},
-            cells.map((cell) => element("td", {}, cell)),
+            cells.map((cell) => element("td", cell)),
         );
     });
     if (!rows.length) return "";
-    return element("details", {}, element("summary", {}, "Layout"), table(["Name", "Type", "Unit", "Description"], rows, response.title));
+    return element("details", element("summary", "Layout"), table(["Name", "Type", "Unit", "Description"], rows, response.title));
 }
 
 function sizeText({ min_size: least, max_size: most }) {

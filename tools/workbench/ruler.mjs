@@ -68,7 +68,7 @@ export function valueTable(rows, label) {
 const CHOOSE = " Depends on the device; choose one above.";
 
 function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, byDevice, colour }) {
-    const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", {}, name)]];
+    const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", name)]];
     const shownFlags = flags?.flatMap((flag, i) => [
         i ? ", " : "",
         element("span", { class: "mip-flag", title: flag.named?.description ?? flag.bits?.description }, flagText(flag)),
@@ -76,15 +76,10 @@ function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, by
     return element(
         "tr",
         { "data-path": path },
-        element("td", coloured(colour), element("code", {}, spacedHex(bytes))),
-        element("td", {}, element("code", {}, path)),
-        element("td", {}, value),
-        element(
-            "td",
-            {},
-            shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? ""),
-            byDevice && CHOOSE,
-        ),
+        element("td", coloured(colour), element("code", spacedHex(bytes))),
+        element("td", element("code", path)),
+        element("td", value),
+        element("td", shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? ""), byDevice && CHOOSE),
     );
 }
 

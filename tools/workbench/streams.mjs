@@ -94,7 +94,7 @@ function streamTable({ set, base }, rows) {
     return element(
         "details",
         { "data-set": set.name, open: rows.some(({ box }) => box.checked) },
-        element("summary", {}, `${set.title} (${hexByte(set.number)}), ${rate}`, element("strong", {}, chosenText(rows))),
+        element("summary", `${set.title} (${hexByte(set.number)}), ${rate}`, element("strong", chosenText(rows))),
         table(
             ["Field", "Bytes", "Rate in Hz", "Sent at"],
             rows.map(({ line }) => line),
@@ -148,9 +148,9 @@ function streamRow(protocol, device, field, { set, base }, held, changed, to) {
     row.line = element(
         "tr",
         { "data-field": field.name },
-        element("td", {}, box, label, " ", to.page(field)),
-        element("td", {}, `${field.max_size + 2}`),
-        element("td", {}, input),
+        element("td", box, label, " ", to.page(field)),
+        element("td", `${field.max_size + 2}`),
+        element("td", input),
         text,
     );
     return row;

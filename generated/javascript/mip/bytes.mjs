@@ -30,7 +30,6 @@ export function toHex(bytes, between = "") {
     return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }
 
-/** Converts pairs of hexadecimal digits to bytes; white space, "-" or ":" may separate the pairs. */
 export function fromHex(text) {
     if (typeof text !== "string" || !/^\s*([0-9a-f]{2}(?:[\s:-]+(?=[0-9a-f])|\s*))*$/i.test(text))
         throw new MipError("hex", "the text must consist of pairs of hexadecimal digits");

@@ -12,15 +12,6 @@ const NANOSECONDS = { week: 604_800_000_000_000, s: 1e9, ms: 1e6, us: 1e3, ns: 1
 
 const found = new WeakMap(); // field -> the function of its flags
 
-/**
- * Is a value of a field valid, as its flags say? One without flags is, unless it is absent.
- *
- * @param values the values of the field, in the plain form
- * @param name the parameter, or an element: "velocity[0]"
- * @param device the id of the device, on which the flags may depend; if it is undefined, they are recognized by the bits
- *   that are set
- * @param seen the values whose bits count for that, if not these
- */
 export function isValid(protocol, field, values, name, device, seen) {
     if (!parameterOf(field, name.split("[")[0])) throw new MipError("unknown", `${field.name} has no parameter ${described(name)}`);
     return validityOf(protocol, field)(values, name, device, seen);
@@ -59,7 +50,6 @@ function masksOf(name, flags, usual) {
     return Object.fromEntries(holders.map((holder) => [holder, { [name]: flags.length > 1 ? of(holder) : flags[0].mask }]));
 }
 
-/** Returns the clocks of timestamps, the preferred ones first. See `packet.time` and `Times`. */
 export function clocksIn(protocol) {
     const { clocks, leap_seconds, units } = protocol.model;
     const timed = new Map(); // field -> the sets in which it is a timestamp, and its clocks, that of a valid time first

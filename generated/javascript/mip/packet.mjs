@@ -66,7 +66,6 @@ export class Packet {
         return packet;
     }
 
-    /** Builds a packet from fields, each with a `descriptor` and `data`. Throws a MipError if they do not fit. */
     static build(set, fields) {
         if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
         const payload = [];
@@ -97,7 +96,6 @@ export class Packet {
         return sameBytes(this.checksum, this.rightChecksum);
     }
 
-    /** Yields the fields; throws a MipError at a malformed one. */
     *fields() {
         const found = [];
         const wrong = this.walk((at, end) => {

@@ -8,13 +8,6 @@ import { Device } from "./device.mjs";
 const LISTEN = 0.3;
 const ATTEMPTS = 2;
 
-/**
- * Opens the port of a device.
- *
- * @param port the result of `navigator.serial.requestPort()`; browsers prompt the user only after a click
- * @param options.baud the baud rate; if omitted, the rate at which the device answers is detected. Other options are for
- * Device.
- */
 export async function openSerial(port, { baud, ...options } = {}) {
     if (baud !== undefined) return Device.open(() => opened(port, baud), options);
     for (const rate of BAUD_RATES) {

@@ -3,7 +3,6 @@
 import net from "node:net";
 import { Device } from "./device.mjs";
 
-/** Connects to a device. Throws Node's error if that fails. `options` are those of Device. */
 export function openTcp(host, port, options) {
     return Device.open(() => connected(host, port), options);
 }

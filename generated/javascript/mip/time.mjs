@@ -59,11 +59,9 @@ export class Clock {
     }
 }
 
-/** The times of a device's packets: its flags are recognized by those of all packets so far. */
 export class Times {
     #device;
     #seen = new Map(); // `isValid` of a timestamp -> its flags so far
-    /** Did later flags change how those before them are read? Then read a log again with this object. */
     changed = false;
 
     constructor({ device } = {}) {

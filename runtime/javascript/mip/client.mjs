@@ -55,13 +55,6 @@ export class Client {
         return this.#waiting.length ? Math.min(...this.#waiting.map(({ deadline }) => deadline)) : undefined;
     }
 
-    /**
-     * Returns the bytes to send: one packet with these commands, all of one set, preceded by a barrier if an earlier
-     * command was not answered. If they do not fit into one packet, throws a MipError and waits for nothing.
-     *
-     * @param options.timeout seconds for these commands, instead of their usual time-outs
-     * @param options.wait false to expect no replies; any that arrive are events, like data
-     */
     send(commands, now, { timeout, wait = true } = {}) {
         if (timeout !== undefined) checkSeconds(timeout);
         if (commands.length === 0) throw new MipError("missing", "send needs at least one command");
@@ -115,10 +108,6 @@ export class Client {
         return [...this.#events(this.#parser.flush()), ...this.poll(now)];
     }
 
-    /**
-     * Discards an incomplete packet if a whole packet begins within it, because it was noise. Call this when no bytes have
-     * arrived for a while. A packet that arrives slowly is kept.
-     */
     lookBehind(now) {
         const events = [];
         for (let packets = this.#parser.lookBehind(); packets.length; packets = this.#parser.lookBehind()) {

@@ -159,15 +159,6 @@ export class Device {
         return this.request(session.identify());
     }
 
-    /**
-     * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
-     * supports. Replaces the set's message format, enables its stream and resumes. Returns a Map of the rates.
-     *
-     * Throws a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
-     * "set" if the fields have no set in common; and the errors of `request`.
-     *
-     * @param options.set the descriptor set, if the fields occur in several
-     */
     stream(rates, { set } = {}) {
         return stream(this, session, new Map(rates), set);
     }
@@ -288,10 +279,6 @@ export class Device {
         await this.#port?.close();
     }
 
-    /**
-     * Opens a lost port again, trying for up to `within` seconds. Data that waits to be read is kept. The device may have
-     * restarted, so apply its settings again.
-     */
     async reopen({ within = 30 } = {}) {
         checkSeconds(within);
         const port = this.#port;

@@ -112,13 +112,6 @@ export class Field {
         return this.decode(new this(values).encode());
     }
 
-    /**
-     * Is a value valid, as its flags say? One without flags is, unless it is absent.
-     *
-     * @param name the member, or an element: "velocity[0]"
-     * @param device the id of the device, on which the flags may depend; if it is undefined, they are recognized by the bits
-     *   that are set
-     */
     isValid(name, device, seen) {
         const { layout, NAME, VALID } = this.constructor;
         const [member] = name.split("[");
@@ -139,7 +132,6 @@ export class Response extends Field {
     static ROLE = "response";
 }
 
-/** A field that the device acknowledges, with or without a response. */
 export class Command extends Field {
     static ROLE = "command";
     static REPLIES = [];
@@ -170,7 +162,6 @@ function holds([name, value, boolean], values) {
     return boolean && held !== undefined ? Boolean(held) === Boolean(value) : isSame(held, value);
 }
 
-/** Makes a packet with these fields. Each must occur in the set, which may be omitted if one of them occurs in no other. */
 export function packetOf(fields, set = fields.find((one) => one.set !== undefined)?.set) {
     const parts = fields.map((field) => {
         const { NAME, DESCRIPTOR } = field.constructor;

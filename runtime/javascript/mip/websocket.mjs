@@ -3,7 +3,6 @@
 import { MipError } from "./bytes.mjs";
 import { Device } from "./device.mjs";
 
-/** Connects to a device. @param options.WebSocket the class, if it is not global, as in Node 18 and 20. Other options are for Device. */
 export function openWebSocket(url, { WebSocket = globalThis.WebSocket, ...options } = {}) {
     if (!WebSocket) return Promise.reject(new MipError("websocket", "WebSocket is not global here; pass `WebSocket`"));
     return Device.open(() => connected(new WebSocket(url)), options);
