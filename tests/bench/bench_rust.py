@@ -52,8 +52,7 @@ ROWS = (
     Measured("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry", "peer_get"),
     Measured("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry", "peer_get"),
     Measured("parse, three fields: `find`", "find", "bare_find"),
-    Measured("build packets of three fields: `clear`, `push`", "encode_again", "bare_encode_again"),
-    Measured("build packets of three fields: a new `PacketBuilder` each", "encode", "bare_encode"),
+    Measured("build packets of three fields: `clear`, `push`", "encode", "bare_encode"),
 )
 FIRMWARE = """#![no_std]
 #![no_main]
@@ -278,9 +277,7 @@ def report(readme: bool = False) -> str:
     out += "The plain loop has all bytes in memory; in the rows with chunks and for `PacketReader`, it joins\n"
     out += "chunks in a `Vec`. Where fields are decoded, the plain loop has all bytes, and the crate gets chunks of\n"
     out += "4 KiB. The crate copies a packet that a chunk cuts: parsing in chunks of 64 bytes takes\n"
-    out += f"{ratio(times['small'], times['slice'])} times as long as parsing one slice. To build many packets, clear\n"
-    out += "and reuse one `PacketBuilder`: a new one for each packet takes\n"
-    out += f"{ratio(times['encode'], times['encode_again'])} times as long.\n\n"
+    out += f"{ratio(times['small'], times['slice'])} times as long as parsing one slice.\n\n"
     out += table(heads[:columns], [row[:columns] for row in rows])
     if missing:
         out += f"\nThe other crate, {PEER}, cannot be fetched, and its columns are empty: {missing}\n"

@@ -163,15 +163,6 @@ fn numbers(data: &[u8]) -> std::ops::Range<u32> {
 const BUILT: u32 = 44;
 
 fn encode(data: &[u8]) -> usize {
-    let mut size = 0;
-    for number in numbers(data) {
-        let values = black_box(values(number));
-        size += build(&mut PacketBuilder::new(sensor::SET), values);
-    }
-    size
-}
-
-fn encode_again(data: &[u8]) -> usize {
     let (mut builder, mut size) = (PacketBuilder::new(sensor::SET), 0);
     for number in numbers(data) {
         let values = black_box(values(number));
@@ -310,15 +301,6 @@ fn bare_find(data: &[u8]) -> usize {
 }
 
 fn bare_encode(data: &[u8]) -> usize {
-    let mut size = 0;
-    for number in numbers(data) {
-        let values = black_box(values(number));
-        size += bare_build(&mut [0; BUILT as usize], values);
-    }
-    size
-}
-
-fn bare_encode_again(data: &[u8]) -> usize {
     let (mut packet, mut size) = ([0; BUILT as usize], 0);
     for number in numbers(data) {
         let values = black_box(values(number));
@@ -361,14 +343,12 @@ const ROWS: &[Row] = &[
     ("visitor", visitor),
     ("find", find),
     ("encode", encode),
-    ("encode_again", encode_again),
     ("bare", bare),
     ("bare_parse", bare_parse),
     ("bare_small", bare_small),
     ("bare_get", bare_get),
     ("bare_find", bare_find),
     ("bare_encode", bare_encode),
-    ("bare_encode_again", bare_encode_again),
     #[cfg(feature = "peer")]
     ("peer", peer::parse),
     #[cfg(feature = "peer")]

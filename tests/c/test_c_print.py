@@ -327,25 +327,6 @@ def with_value(of: m.Model, f: m.Field, values: dict[str, Any], p: m.Parameter, 
         return None
 
 
-@small("programs of the real C library")
-def test_a_structure(spec: str) -> None:
-    """The same lines as those of the field, without the lines around them."""
-    of = model(spec)
-    found = [p for f, p in packets(of, all_fields(of), 2) if decodes(of, p)]
-    plain = [field_text(of, p[2], p[5], p[6:-2]).splitlines()[1:] for p in found]
-    assert texts(spec, "value", found) == [
-        "".join(f"{line[2:]}\n" for line in body if not line.startswith("  trailing:")) for body in plain
-    ]
-
-
-def decodes(of: m.Model, packet: bytes) -> bool:
-    f = codec.choose(of.candidates(packet[2], packet[5]), packet[6:-2])
-    try:
-        return f is not None and codec.decode(f, packet[6:-2]) is not None
-    except codec.CodecError:
-        return False
-
-
 # --------------------------------------------------------------------------- what is wrong
 
 

@@ -53,7 +53,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
         path = file.path if rename is None else rename(file.path)
         output.admit(path, made, place)
         context = file.context(paths) if callable(file.context) else file.context
-        text = templates.render(file.template, context, file.path)
+        text = templates.render(file.template, context, file.path) if file.template else str(context["text"])
         paths.append(file.path)
         made[path] = (text if rename is None else rename(text)).encode("utf-8")
     if target.formatter is not None:

@@ -29,7 +29,9 @@ Filters: TypeAlias = "Mapping[str, Callable[..., Any]]"
 @dataclass(frozen=True, slots=True)
 class File:
     """A file to make: its path, its template, and the template's variables, or a function that makes them from the
-    paths of all files before it; and the part of the specification after which it is named, if there is one."""
+    paths of all files before it; and the part of the specification after which it is named, if there is one.
+
+    Without a template, the variable `text` is the file."""
 
     path: str
     template: str

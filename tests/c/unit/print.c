@@ -33,15 +33,9 @@ static void print(const struct mip_print *to, const char *what, const uint8_t *b
         mip_print_double(to, value);
     } else if (strcmp(what, "signed") == 0) {
         mip_print_signed(to, (int64_t)mip_get_64(bytes));
-    } else if (strcmp(what, "field") == 0) {
-        CHECK(mip_walk_next(&walk, &field));
-        mip_print_field(to, &field);
     } else {
-        union mip_any_value value;
-        CHECK(strcmp(what, "value") == 0 && mip_walk_next(&walk, &field));
-        const struct mip_entry *entry = mip_registry_find(&field);
-        CHECK(entry != NULL && mip_decode(entry->codec, &value, &field, NULL) == MIP_OK);
-        mip_print_value(to, entry->codec, &value);
+        CHECK(strcmp(what, "field") == 0 && mip_walk_next(&walk, &field));
+        mip_print_field(to, &field);
     }
 }
 

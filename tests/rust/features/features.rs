@@ -118,7 +118,7 @@ fn readable_formats_have_names() {
     let flags = StateFlags::from(!0);
     let text = json(&flags);
     assert!(text.starts_with("\"ready | "), "{text}");
-    assert_eq!(serde_json::from_str::<StateFlags>(&flags.bits().to_string()).unwrap(), flags);
+    assert_eq!(serde_json::from_str::<StateFlags>(&flags.0.to_string()).unwrap(), flags);
     assert_eq!(json(&StateFlags::empty()), "\"\"");
     for wrong in ["\"redy\"", "\"ready=2\"", "\"0x10000\"", "\"0xg\"", "-1", "65536"] {
         assert!(serde_json::from_str::<StateFlags>(wrong).is_err(), "{wrong}");

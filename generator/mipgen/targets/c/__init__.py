@@ -67,10 +67,10 @@ def files(model: m.Model) -> Iterator[File]:
     yield from packages(model)
     quickstart = model.program("quickstart.c")
     if quickstart:
-        yield File("quickstart.c", "verbatim.j2", {"text": quickstart})
+        yield File("quickstart.c", "", {"text": quickstart})
     for name in EXAMPLES:
         if example := model.program(name.rpartition("/")[2]):
-            yield File(f"examples/{name}", "verbatim.j2", {"text": example})
+            yield File(f"examples/{name}", "", {"text": example})
     in_c = ("device", "client", "present", "receivers", "change", "defer")
     shown = {name: model.program(f"{name}.c").rstrip() for name in in_c}
     shown |= {name: model.program(f"{name}.cpp").rstrip() for name in ("cpp", "cpp_stream", "cpp_client", "cpp_change")}

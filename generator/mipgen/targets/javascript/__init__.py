@@ -29,7 +29,7 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("package.json", "package.json.j2", {"exports": exports})
     quickstart = model.program("quickstart.mjs")
     if quickstart:
-        yield File("quickstart.mjs", "verbatim.j2", {"text": quickstart})
+        yield File("quickstart.mjs", "", {"text": quickstart})
     programs = ("quickstart.mjs", "live.mjs", "typed.mts", "decode_log.mjs")
     shown = {name.partition(".")[0]: model.program(name).rstrip() for name in programs}
     yield File("README.md", "README.md.j2", {"package": view, **shown})

@@ -32,7 +32,7 @@ def files(model: m.Model) -> Iterator[File]:
     whole = {"families": families, "omitted": needs.omitted(model)}
     quickstart = model.program("quickstart.py")
     if quickstart:
-        yield File("quickstart.py", "verbatim.j2", {"text": quickstart})
+        yield File("quickstart.py", "", {"text": quickstart})
     programs = ("daily.md", "client.py", "device.py", "device_aio.py", "meaning.py")
     readme = {name.partition(".")[0]: model.program(name).rstrip() for name in programs} | {
         "quickstart": quickstart.partition('"""\n\n')[2].rstrip(),
@@ -43,7 +43,7 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("pyproject.toml", "pyproject.toml.j2", {"keywords": keywords})
     for name, context in _modules(model).items():
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2", whole | context)
-    yield File(f"{PACKAGE}/simulation.json", "verbatim.j2", {"text": simulation.document(model)})
+    yield File(f"{PACKAGE}/simulation.json", "", {"text": simulation.document(model)})
     for x in families:
         yield File(f"{PACKAGE}/{x.module}.py", "set.py.j2", {"family": x}, x.of)
     modules: dict[str, tuple[m.Type | m.Field, ...]] = {

@@ -57,10 +57,10 @@ def files(model: m.Model) -> Iterable[File]:
     for path, template in (("README.md", "README.md.j2"), ("src/guide.md", "guide.md.j2")):
         yield File(path, template, {**whole, **manifest, **readme})
     for name in examples:
-        yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.program(f"{name}.rs")})
+        yield File(f"examples/{name}.rs", "", {"text": model.program(f"{name}.rs")})
     for path, name in EMBASSY.items():
         if text := model.program(name):
-            yield File(f"examples/embassy/{path}", "verbatim.j2", {"text": text})
+            yield File(f"examples/embassy/{path}", "", {"text": text})
     yield File("src/map.md", "map.md.j2")
     yield File("src/sets.md", "sets.md.j2", whole)
     modules = [(x.name, f'feature = "{x.name}"') for x in crate.families]

@@ -1,6 +1,6 @@
 //! Bitfields.
 
-/// Named bits of a number or of bytes, with the interface of the crate `bitflags`, version 2.
+/// Named bits of a number or of bytes, with functions like those of the crate `bitflags`.
 macro_rules! bitfield {
     (
         $(#[$meta:meta])*
@@ -126,38 +126,6 @@ macro_rules! bit_sets {
                 Self::ALL_BITS
             }
 
-            /// Returns the bits as they are on the wire.
-            #[inline]
-            #[must_use]
-            pub const fn bits(&self) -> $storage {
-                self.0
-            }
-
-            /// Converts bits; returns `None` if any of them has no name.
-            #[inline]
-            #[must_use]
-            pub const fn from_bits(bits: $storage) -> ::core::option::Option<Self> {
-                if Self::ALL_BITS.contains(Self(bits)) {
-                    ::core::option::Option::Some(Self(bits))
-                } else {
-                    ::core::option::Option::None
-                }
-            }
-
-            /// Converts bits, dropping those without a name.
-            #[inline]
-            #[must_use]
-            pub const fn from_bits_truncate(bits: $storage) -> Self {
-                Self(bits).intersection(Self::ALL_BITS)
-            }
-
-            /// Converts bits, keeping those without a name.
-            #[inline]
-            #[must_use]
-            pub const fn from_bits_retain(bits: $storage) -> Self {
-                Self(bits)
-            }
-
             /// Returns the bits of the flag or number with this name in the specification.
             #[inline]
             #[must_use]
@@ -177,25 +145,11 @@ macro_rules! bit_sets {
                 $crate::bits::is_none!($storage, self.0)
             }
 
-            /// Are all named bits set?
-            #[inline]
-            #[must_use]
-            pub const fn is_all(&self) -> bool {
-                self.contains(Self::ALL_BITS)
-            }
-
             /// Are all of these bits set?
             #[inline]
             #[must_use]
             pub const fn contains(&self, bits: Self) -> bool {
                 bits.difference(*self).is_empty()
-            }
-
-            /// Is any of these bits set?
-            #[inline]
-            #[must_use]
-            pub const fn intersects(&self, bits: Self) -> bool {
-                !self.intersection(bits).is_empty()
             }
 
             /// Sets these bits.
@@ -208,12 +162,6 @@ macro_rules! bit_sets {
             #[inline]
             pub fn remove(&mut self, bits: Self) {
                 *self = self.difference(bits);
-            }
-
-            /// Inverts these bits.
-            #[inline]
-            pub fn toggle(&mut self, bits: Self) {
-                *self = self.symmetric_difference(bits);
             }
 
             /// Sets or clears these bits.

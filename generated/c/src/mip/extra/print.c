@@ -471,11 +471,6 @@ void mip_print_field(const struct mip_print *print, const struct mip_field *fiel
     put_field(print, 0, field);
 }
 
-void mip_print_value(const struct mip_print *print, const struct mip_codec *codec,
-                     const void *value) {
-    put_values(print, 0, codec, (const uint8_t *)value);
-}
-
 /* ------------------------------------------------------------------------------------- buffers */
 
 static void keep(void *user, const char *text, size_t size) {

@@ -60,11 +60,6 @@ MIP_API void mip_print_packet(const struct mip_print *print, const struct mip_pa
  * bytes. */
 MIP_API void mip_print_field(const struct mip_print *print, const struct mip_field *field);
 
-/** Prints the values of a structure that mip_decode has filled, or that is to be encoded. `codec`
- * must be one of this binding. Absent optional parameters are omitted. */
-MIP_API void mip_print_value(const struct mip_print *print, const struct mip_codec *codec,
-                             const void *value);
-
 /** Prints a text that ends with a NUL. */
 MIP_API void mip_print_string(const struct mip_print *print, const char *text);
 
