@@ -1,4 +1,4 @@
-"""The reference codec: what it decodes, encodes and rejects."""
+"""The reference codec, besides what tests/conformance shows: generated code decodes and encodes as it does."""
 
 from __future__ import annotations
 
@@ -17,91 +17,11 @@ def field(name: str) -> m.Field:
     return some(MODEL.field(name))
 
 
-GOOD: list[tuple[str, str, dict[str, Any], int]] = [
-    ("tools.ping", "", {}, 0),
-    ("tools.ping", "0102", {}, 2),
-    ("tools.settings", "02 05 01", {"function": 2, "port": 5, "mode": 1}, 0),
-    ("tools.settings", "03 05", {"function": 3, "port": 5}, 0),
-    ("tools.settings", "03 05 01", {"function": 3, "port": 5, "mode": 1}, 0),
-    ("tools.settings", "03 05 01 0000", {"function": 3, "port": 5, "mode": 1}, 2),
-    ("tools.settings", "01 05 01 00002580", {"function": 1, "port": 5, "mode": 1, "baud": 9600}, 0),
-    ("tools.settings", "01 05 01 00002580 0007 FF EE",
-     {"function": 1, "port": 5, "mode": 1, "baud": 9600, "limit": 7, "reserved": 255}, 1),
-    ("tools.settings", "63", {"function": 99}, 0),
-    ("tools.list", "01 02 0001 FFFF", {"function": 1, "count": 2, "items": [1, 65535]}, 0),
-    ("tools.list", "02", {"function": 2}, 0),
-    ("tools.list", "02 00", {"function": 2, "count": 0, "items": []}, 0),
-    ("tools.list_response", "00", {"count": 0, "items": []}, 0),
-    ("tools.inventory_response", "0101 0102 01", {"descriptors": [0x101, 0x102]}, 1),
-    ("tools.status_short", "1267 01 00000001", {"flags": 1}, 0),
-    ("tools.choice", "01 01 00", {"function": 1, "instance": 1, "shape": 0, "parameters": {}}, 0),
-    ("tools.choice", "01 01 63 AABB", {"function": 1, "instance": 1, "shape": 99, "parameters": {}}, 2),
-    ("tools.choice", "01 01 02 01 01 0001 FFFF",
-     {"function": 1, "instance": 1, "shape": 2,
-      "parameters": {"path": {"closed": 1, "num_points": 1, "points": [{"x": 1, "y": -1}]}}}, 0),
-    ("tools.choice", "01 01 04 4142432020202020",
-     {"function": 1, "instance": 1, "shape": 4, "parameters": {"label": "ABC     "}}, 0),
-    ("measurements.accel", "7FE5BF7F 00000000 80000000 FFFF",
-     {"scaled_accel": ["0x7fe5bf7f", "0x00000000", "0x80000000"], "valid_flags": 0xFFFF}, 0),
-    ("measurements.health", "01 02" + "00" * 14 + "FFFF0000",
-     {"result": [1, 2] + [0] * 14, "code": 0xFFFF0000}, 0),
-    ("measurements.strings", "41" * 16 + "02 4243 FF00",
-     {"model": "A" * 16, "length": 2, "name": "BC", "rest": "\xff\x00"}, 0),
-    ("measurements.growing", "0001", {"first": 1}, 0),
-    ("measurements.growing", "0001 0002 000000", {"first": 1, "second": 2}, 3),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("name", "data", "values", "trailing"), GOOD)
-def test_both_ways(name: str, data: str, values: dict[str, Any], trailing: int) -> None:
-    raw = bytes.fromhex(data)
-    assert codec.decode(field(name), raw) == (values, trailing)
-    assert codec.encode(field(name), values) == raw[: len(raw) - trailing]
-
-
-@pytest.mark.parametrize(
-    ("name", "data", "kind"),
-    [
-        ("tools.settings", "", "truncated"),
-        ("tools.settings", "01 05 01 000025", "truncated"),
-        ("tools.list", "01 03 0001 0002", "count"),
-        ("tools.list_response", "01", "count"),
-        ("tools.list", "02 01 00", "count"),
-        ("tools.status_short", "1268 01 00000001", "constant"),
-        ("tools.choice", "01 01 02 01 02 0001 FFFF", "count"),
-        ("measurements.growing", "00", "truncated"),
-    ],
-)
-def test_refused_bytes(name: str, data: str, kind: str) -> None:
+def test_a_field_that_is_too_long_is_refused() -> None:
+    values = {"model": "A" * 16, "length": 200, "name": "A" * 200, "rest": "A" * 100}
     with pytest.raises(CodecError) as caught:
-        codec.decode(field(name), bytes.fromhex(data))
-    assert caught.value.kind == kind
-
-
-@pytest.mark.parametrize(
-    ("name", "values", "kind"),
-    [
-        ("tools.settings", {"function": 1, "port": 5}, "missing"),
-        ("tools.settings", {"port": 5}, "missing"),
-        ("tools.settings", {"function": 3, "port": 5, "baud": 1}, "missing"),
-        ("tools.settings", {"function": 2, "port": 256, "mode": 1}, "range"),
-        ("tools.settings", {"function": 2, "port": 5, "mode": 1, "other": 1}, "unknown"),
-        ("tools.list", {"function": 1, "count": 1, "items": []}, "count"),
-        ("tools.list", {"function": 2, "count": 0}, "missing"),
-        ("tools.list_response", {"count": 200, "items": [0] * 200}, "count"),
-        ("tools.choice", {"function": 1, "instance": 1, "shape": 0, "parameters": {"label": "A" * 8}}, "tag"),
-        ("tools.choice", {"function": 1, "instance": 1, "shape": 4, "parameters": {"label": "A" * 9}}, "count"),
-        ("measurements.health", {"result": [0] * 15, "code": 0}, "count"),
-        ("measurements.strings", {"model": "\u2028" * 16, "length": 0, "name": "", "rest": ""}, "range"),
-        ("measurements.strings", {"model": "A" * 16, "length": 200, "name": "A" * 200, "rest": "A" * 100}, "length"),
-        ("measurements.growing", {"first": 1, "third": "0x00000000"}, "missing"),
-        ("measurements.accel", {"scaled_accel": ["0x00", "0x00000000", "0x00000000"], "valid_flags": 0}, "range"),
-    ],
-)
-def test_refused_values(name: str, values: dict[str, Any], kind: str) -> None:
-    with pytest.raises(CodecError) as caught:
-        codec.encode(field(name), values)
-    assert caught.value.kind == kind
+        codec.encode(field("measurements.strings"), values)
+    assert caught.value.kind == "length"
 
 
 @pytest.mark.parametrize(
