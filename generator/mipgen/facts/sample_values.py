@@ -12,13 +12,13 @@ from functools import cached_property
 from typing import Any
 
 from mipgen import model as m
-from mipgen.lower import codec
+from mipgen.lower import codec, validity
 from mipgen.model.parameters import alike
 from mipgen.model.simulation import Value
 
 from .examples import is_plain
 from .records import Filled, lists
-from .simulated_values import number_of_name, parameter_at, set_path, simulated_value, valid_flags
+from .simulated_values import number_of_name, parameter_at, set_path, simulated_value
 
 
 @dataclass(frozen=True)
@@ -96,8 +96,8 @@ class SampleValues:
             value = None if p is None else self._shown(v, p)
             if value is not None:
                 set_path(simulated, v.path, value)
-        for flags, bits in valid_flags(f.parameters).items():
-            simulated[flags] = simulated.get(flags, 0) | bits
+        for flag in (flag for p in f.parameters for flag in validity.flags_named(p.valid, f)):
+            simulated[flag.parameter] = simulated.get(flag.parameter, 0) | (flag.mask or 1)
         return simulated
 
     def _shown(self, v: Value, p: m.Parameter) -> Any:

@@ -1,4 +1,4 @@
-"""Values of a simulated device: its quantities as values of parameters, and the flags that mark them as valid."""
+"""Values of a simulated device: its quantities as values of parameters."""
 
 from __future__ import annotations
 
@@ -62,9 +62,10 @@ def mask(t: m.Bitfield, name: str) -> int | None:
 
 
 def parameter_at(parameters: tuple[m.Parameter, ...], path: str) -> m.Parameter | None:
+    """Finds a parameter, or the member of a structure: "device_info.model_number"."""
     name, _, rest = path.partition(".")
     p = next((p for p in parameters if p.name == name), None)
-    return parameter_at(p.element.parameters, rest) if p and rest and isinstance(p.element, m.Struct) else p
+    return parameter_at(p.struct.parameters if p and p.struct else (), rest) if rest else p
 
 
 def set_path(values: codec.Values, path: str, value: Any) -> None:
@@ -73,18 +74,3 @@ def set_path(values: codec.Values, path: str, value: Any) -> None:
         set_path(values.setdefault(name, {}), rest, value)
     else:
         values[name] = value
-
-
-def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
-    """Returns the flags for valid values: all flags to which the values refer."""
-    values: codec.Values = {}
-    by_name = {p.name: p for p in parameters}
-    for p in parameters:
-        for path in p.valid:
-            flags, _, bit = path.partition(".")
-            t = by_name[flags].element
-            if not bit:
-                values[flags] = 1
-            elif isinstance(t, m.Bitfield) and t.scalar is not None:
-                values[flags] = values.get(flags, 0) | (mask(t, bit) or 0)
-    return values

@@ -8,6 +8,7 @@ from pathlib import PurePath
 
 from mipgen import model as m
 from mipgen.facts.examples import misprint_text
+from mipgen.facts.simulated_values import parameter_at
 from mipgen.lower.extent import computed_length, same
 from mipgen.lower.validity import NANOSECONDS
 from mipgen.read.problems import Problems, nearest
@@ -275,7 +276,7 @@ def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> b
         return sum(p.units == ("Hz",) for p in response.parameters) == 1
     if role == "descriptors":
         return any((p.name, p.kind, p.leaf.scalar.name) == ("descriptors", "array", "u16") for p in response.parameters)
-    texts = [_inside(response, path) for path in session.model_numbers]
+    texts = [parameter_at(response.parameters, path) for path in session.model_numbers]
     return all(p is not None and p.kind == "text" for p in texts)
 
 
@@ -284,15 +285,6 @@ def _type(p: m.Parameter) -> str:
     if p.kind == "array" and p.item.struct:
         return f"[{' '.join(_type(q) for q in p.item.struct.parameters)}]"
     return p.scalar.name if p.kind in ("scalar", "counter") else p.kind
-
-
-def _inside(f: m.Field, path: str) -> m.Parameter | None:
-    """Finds the parameter at a path: "device_info.model_number"."""
-    parameters, parameter = f.parameters, None
-    for name in path.split("."):
-        parameter = next((p for p in parameters if p.name == name), None)
-        parameters = parameter.struct.parameters if parameter and parameter.struct else ()
-    return parameter
 
 
 def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
