@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from bad_spec_files import BASE
 from mipgen import __version__, cli
-from mipgen.base import fingerprint, parallel
+from mipgen.base import parallel
 from mipgen.base.errors import Failure
 from mipgen.cli import arguments
 from mipgen.emit import build, discovery, stamp
@@ -337,7 +337,7 @@ def test_the_program_is_part_of_the_input(tmp_path: Path) -> None:
     for path in (None, "generator/mipgen/emit/naming.py", "templates/c/README.md.j2", "spec/schema/common.schema.json"):
         if path:
             (copy / path).write_bytes((copy / path).read_bytes() + b"\n")
-        code = "from mipgen.base import fingerprint; print(fingerprint.program())"
+        code = "from mipgen.emit import stamp; print(stamp.program())"
         keys.append(subprocess.run(
             [sys.executable, "-c", code], capture_output=True, text=True, check=True,
             env={**os.environ, "PYTHONPATH": str(copy / "generator")},
@@ -347,10 +347,10 @@ def test_the_program_is_part_of_the_input(tmp_path: Path) -> None:
 
 def test_so_is_each_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path)])
-    before = fingerprint.program.__wrapped__()
-    assert fingerprint.program.__wrapped__() == before
+    before = stamp.program.__wrapped__()
+    assert stamp.program.__wrapped__() == before
     (tmp_path / "ruff-99.0.dist-info").mkdir()
-    assert fingerprint.program.__wrapped__() != before
+    assert stamp.program.__wrapped__() != before
 
 
 def test_a_folder_that_is_too_large_is_not_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

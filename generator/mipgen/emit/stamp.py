@@ -6,23 +6,44 @@ differs, everything is generated again.
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import os
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from mipgen.base import cache, fingerprint
+from mipgen.base import cache, resources
 
 from . import output
 
 TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a specification
 
 
+@functools.cache
+def program() -> str:
+    """Returns a key of everything except the input: this program, its templates and schemas, Python, the libraries."""
+    parts: list[bytes | str] = [sys.version, *_libraries()]
+    root = resources.root()
+    data = ("templates", "runtime", "spec/schema", *resources.PROGRAMS)
+    for folder in (resources.PACKAGE, *(root / name for name in data)):
+        for path, file in resources.files_in(folder):
+            parts += [path, file.read_bytes()]
+    return cache.key(*parts, (root / "LICENSE").read_bytes())
+
+
+def _libraries() -> list[str]:
+    """Returns names and versions of installed packages, taken from folder names, because reading the contents is
+    slow."""
+    places = [entry for entry in sys.path if os.path.isdir(entry)]
+    return sorted(name for place in places for name in os.listdir(place) if name.endswith((".dist-info", ".egg-info")))
+
+
 def run_key(folders: Sequence[Path], *options: str) -> str | None:
     """Computes a key of the program, its options and all files in these folders; None if there is too much input."""
-    parts: list[bytes | str] = [fingerprint.program(), repr(options)]
+    parts: list[bytes | str] = [program(), repr(options)]
     size = 0
     for folder in folders:
         parts.append("folder")
