@@ -44,7 +44,8 @@ pre { padding: 8px; overflow: auto; background: #f4f6f8; }
   body { font-size: 9px; }
   table, code, pre { font-size: 7px; }
   pre { white-space: pre-wrap; }
-  td, th { overflow-wrap: anywhere; }
+  td { overflow-wrap: break-word; }
+  td code { overflow-wrap: anywhere; }
 }
 </style>
 </head>

@@ -96,7 +96,8 @@ globalThis.mipSearch = (() => {
         const places = words.map((word) => lower.indexOf(word)).filter((place) => place >= 0);
         const at = Math.min(...places, lower.length);
         const from = at < 60 || at === lower.length ? 0 : content.indexOf(" ", at - 60) + 1;
-        return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
+        const [shown] = /^.{0,160}(?!\S)/s.exec(content.slice(from)) ?? [content.slice(from, from + 160)]; // ends with a word
+        return `${from ? "… " : ""}${shown}${from + shown.length < content.length ? " …" : ""}`;
     }
 
     /** Returns the address of a field within the site. */
