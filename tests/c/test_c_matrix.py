@@ -88,17 +88,9 @@ int main(void) {{
     return 0;
 }}
 """)
-    run(
-        need("cc"),
-        "-std=gnu99",
-        "-DMIP_DEBUG",
-        include("invented"),
-        program,
-        *sources("invented"),
-        "-o",
-        tmp_path / "made",
-    )
-    assert subprocess.run([tmp_path / "made"]).returncode < 0
+    made, options = tmp_path / "made", ("-std=gnu99", "-DMIP_DEBUG", include("invented"))
+    run(need("cc"), *options, program, *sources("invented"), "-o", made)
+    assert subprocess.run([made]).returncode < 0
 
 
 @pytest.mark.parametrize("parser", ["SMALL", "FAST"])

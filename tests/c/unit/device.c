@@ -517,14 +517,14 @@ static void handlers(void) {
     COMES(0, 0x0C, "\x04\xF1\x10\0");
     COMES(0, 0x80, "\x04\xF1\x10\0"); /* of a data set, it is something else */
     CHECK(mip_device_poll(&device) && seen.count == 2 && device.parser.skipped == 0);
-    struct mip_handler later[] = {few[0], {NULL, MIP_ANY_SET, NULL, NULL}};
-    fresh(later, 2);
+    struct mip_handler filled[] = {few[0], {NULL, MIP_ANY_SET, NULL, NULL}};
+    fresh(filled, 2);
     forget();
     COMES(0, 0x80, ACCEL);
     CHECK(mip_device_poll(&device) && seen.count == 0);
-    later[1].type = &mip_measurements_accel_codec; /* an empty entry is filled while data arrives */
-    later[1].handle = see;
-    later[1].user = &seen;
+    filled[1].type = &mip_measurements_accel_codec; /* an empty entry is filled while data arrives */
+    filled[1].handle = see;
+    filled[1].user = &seen;
     COMES(0, 0x80, ACCEL);
     CHECK(mip_device_poll(&device) && seen.count == 1);
     mip_device_init(&device, &port, 3, NULL); /* none, whatever their number */

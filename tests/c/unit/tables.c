@@ -1,6 +1,7 @@
 /* Functions of the registry, of reflection and of device profiles; a generated test looks at every row of their tables. */
 #include "check.h"
 
+#include "mip/extra/names.h"
 #include "mip/extra/profiles.h"
 #include "mip/measurements.h"
 #include "mip/extra/reflect.h"
@@ -45,10 +46,9 @@ static void names(void) {
     CHECK(is(mip_value_name(use->readings[1].names, MIP_TOOLS_SERIAL_USE_TRANSMIT), "transmit"));
     CHECK(mip_value_name(use->readings[1].names, 99) == NULL);
     const struct mip_names *flags = mip_reflect(&mip_measurements_accel_codec)->record->parameters[1].names;
-    CHECK(flags == mip_names_find("state_flags") && flags->bits[2].first == 4 && flags->bits[2].width == 3);
+    CHECK(flags == &mip_names_state_flags && flags->bits[2].first == 4 && flags->bits[2].width == 3);
     CHECK(mip_names_number(flags, 0) == 0 && mip_value_name(flags, 1) == NULL);
-    CHECK(flags->bits[3].names == mip_names_find("mode"));
-    CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
+    CHECK(flags->bits[3].names == &mip_names_mode && mip_names_tools_shape.count == 5);
 }
 
 static void devices(void) {

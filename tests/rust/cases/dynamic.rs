@@ -21,12 +21,10 @@ fn a_field_becomes_a_tree_and_comes_back() {
 fn values_are_looked_at_by_kind() {
     let value = measurements::Accel::default().to_value();
     let accel = value.as_record().unwrap().get("scaled_accel").unwrap();
-    assert_eq!(accel.as_list().unwrap().len(), 3);
-    assert_eq!(accel.as_list().unwrap()[0].as_f64(), Some(0.0));
-    assert_eq!((accel.as_f64(), accel.as_text(), accel.as_record()), (None, None, None));
-    assert_eq!(Value::Integer(-3).as_f64(), Some(-3.0));
-    assert_eq!(Value::Double(0.5).as_f64(), Some(0.5));
-    assert_eq!(Value::Text("a".into()).as_text(), Some("a"));
+    assert!(
+        matches!(accel, Value::List(items) if items.len() == 3 && items[0] == Value::Float(0.0))
+    );
+    assert_eq!(accel.as_record(), None);
 }
 
 #[test]

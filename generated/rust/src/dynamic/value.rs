@@ -118,17 +118,6 @@ impl Value {
         }
     }
 
-    /// Returns the number, of any type.
-    #[must_use]
-    pub fn as_f64(&self) -> Option<f64> {
-        match self {
-            Self::Integer(number) => Some(*number as f64),
-            Self::Float(number) => Some((*number).into()),
-            Self::Double(number) => Some(*number),
-            _ => None,
-        }
-    }
-
     /// Returns the record; an error if it has a value that these steps do not name.
     pub(crate) fn record(&self, steps: &[&[&str]]) -> Result<&Record, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;

@@ -207,16 +207,8 @@ extern MIP_API const struct mip_reflection mip_reflections[];
 /** The number of all fields. */
 extern MIP_API const size_t mip_reflection_count;
 
-/** All enumerations and bitfields. */
-extern MIP_API const struct mip_names *const mip_all_names[];
-/** The number of all enumerations and bitfields. */
-extern MIP_API const size_t mip_all_names_count;
-
 /** Returns the reflection of a field; NULL if the codec does not belong to this binding. */
 MIP_API const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
-
-/** Finds an enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */
-MIP_API const struct mip_names *mip_names_find(const char *name);
 
 /** Returns the name of a value or a bit, by its index. */
 MIP_API const char *mip_names_label(const struct mip_names *names, size_t index);
