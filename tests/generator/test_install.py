@@ -9,6 +9,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from mipgen import __version__
 from support import ROOT, SPECS, another_python, nightly, packaging, tree
 
 pytestmark = packaging
@@ -55,7 +56,7 @@ def borrow_libraries(bin_folder: Path) -> None:
 def use(mipgen: Path, folder: Path) -> None:
     """From nothing to bindings, and the known output of a known specification."""
     folder.mkdir()
-    assert run(mipgen, "--version", cwd=folder) == "mipgen 0.1.0\n"
+    assert run(mipgen, "--version", cwd=folder) == f"mipgen {__version__}\n"
     run(mipgen, "new", "spec", cwd=folder)
     assert run(mipgen, "validate", cwd=folder).startswith("2 sets: ")
     assert "python " in run(mipgen, "generate", cwd=folder)
