@@ -118,7 +118,8 @@ class SampleValues:
 
     def sent(self, f: m.Field) -> list[m.Call]:
         """Returns the forms of a field that some device accepts."""
-        return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
+        taken = self.model.taken(f)
+        return [c for c in f.calls if c.function is None or c.function in taken]
 
     def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
         """Returns the responses to a command in this form."""

@@ -200,8 +200,8 @@ class Model:
 
     def taken(self, command: Field) -> tuple[Function, ...]:
         """Returns the functions that at least one device accepts; all of them if no device is known."""
-        functions = [x for _, s in self.supports(command) for x in s.functions]
-        return tuple(x for x in command.functions if x in functions) or command.functions
+        names = {x.name for _, s in self.supports(command) for x in s.functions}
+        return tuple(x for x in command.functions if x.name in names) or command.functions
 
     def device(self, device_id: str) -> Device | None:
         return next((d for d in self.devices if d.id == device_id), None)

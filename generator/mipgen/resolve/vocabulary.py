@@ -100,5 +100,5 @@ def check_able(name: str, lacked: str | None, entry: Node, problems: Problems) -
 def left(t: object, has: m.Hardware, among: tuple[m.EnumValue | m.Bits, ...] = ()) -> tuple[m.EnumValue | m.Bits, ...]:
     """Returns the values or bits of a type that the hardware of a device permits; nothing if it permits all."""
     every = among or (t.values if isinstance(t, m.Enum) else t.bits if isinstance(t, m.Bitfield) else ())
-    left = tuple(x for x in every if has.lacking(x.needs) is None)
+    left = tuple(x for x in every if not x.needs or has.lacking(x.needs) is None)
     return left if len(left) < len(every) else ()
