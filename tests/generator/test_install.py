@@ -77,18 +77,8 @@ def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> N
 def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
     with zipfile.ZipFile(wheel(built)) as archive:
         held = {name for name in archive.namelist() if ".dist-info/" not in name}
-    listed = run(
-        "git",
-        "ls-files",
-        "generator",
-        "templates",
-        "runtime",
-        "spec/schema",
-        "examples",
-        "docs/parts",
-        "LICENSE",
-        cwd=ROOT,
-    ).splitlines()
+    parts = ("generator", "templates", "runtime", "spec/schema", "examples", "docs/parts", "LICENSE")
+    listed = run("git", "ls-files", *parts, cwd=ROOT).splitlines()
     there = [name for name in listed if (ROOT / name).is_file()]
     assert held == {
         name.removeprefix("generator/") if name.startswith("generator/") else f"mipgen/data/{name}" for name in there

@@ -21,28 +21,9 @@ INVENTED = Path(__file__).parents[1] / "invented/spec"
 #: For a longer search: NIGHTLY=1 SEED=7 pytest tests/generator/test_mutations.py
 MUTATIONS = rounds(30, 3000)
 
-ODD_VALUES = [
-    None,
-    True,
-    0,
-    -1,
-    3,
-    255,
-    256,
-    2.5,
-    1e400,
-    1 << 70,
-    "",
-    "x",
-    "rest",
-    "u8",
-    "0x80",
-    "²",
-    [],
-    {},
-    [1],
-    {"x": 1},
-]
+ODD_VALUES: list[Any] = [
+    None, True, 0, -1, 3, 255, 256, 2.5, 1e400, 1 << 70, "", "x", "rest", "u8", "0x80", "²", [], {}, [1], {"x": 1}
+]  # fmt: skip
 
 Tree = Any
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from mipgen import model as m
@@ -46,10 +46,9 @@ class Families:
         sets = self.sets(node)
         kind = self.meant(node, sets[0])
         sets = tuple(replace(s, kind=kind) for s in sets) if kind != sets[0].kind else sets
-        places = _Places("sets" in node, sets, self.cited, self.problems)
         fields: list[m.Field] = []
         for entry in node.get("fields") or ():
-            fields += self.field(entry, name, kind, places)
+            fields += self.field(entry, name, kind, sets, "sets" in node)
         fields = self.shared(node, fields)
         order = {m.COMMAND: 0, m.DATA: 0, m.RESPONSE: 1}
         fields.sort(key=lambda f: (order[f.role], f.descriptor, -_constants(f)))  # the most specific layout first
@@ -106,7 +105,7 @@ class Families:
         """Returns the sources of what has this name."""
         return cited(name, self.types.vocabulary, self.problems, heading)
 
-    def field(self, node: Node, family: str, kind: m.Kind, places: _Places) -> list[m.Field]:
+    def field(self, node: Node, family: str, kind: m.Kind, sets: tuple[m.Set, ...], several: bool) -> list[m.Field]:
         """Resolves a command with its responses, or a data field."""
         role: m.Role = m.COMMAND if kind == "command" else m.DATA
         wrong = m.DATA if role == m.COMMAND else m.COMMAND
@@ -127,7 +126,7 @@ class Families:
         record = self.types.record(
             list(node.get("parameters") or ()), family, letters, whole=node, unknown="".join(unknown)
         )
-        (occurrences, cited), affects = places.of(node), texts_of_node(node, "affects")
+        (occurrences, cited), affects = self.places(node, sets, several), texts_of_node(node, "affects")
         words = tuple(w.value for w in self.types.vocabulary.keywords.entries_of(f"{family}.{node['name'].value}"))
         command = m.Field(
             family=family, occurrences=occurrences, name=node["name"].value, descriptor=node[role].value, role=role,
@@ -159,6 +158,30 @@ class Families:
         specific = {r.name: _constants(r) for r in responses}
         names.sort(key=lambda name: -specific.get(name, 0))  # like their fields: the most specific layout first
         return [replace(command, responses=tuple(names)), *responses]
+
+    def places(
+        self, node: Node, sets: tuple[m.Set, ...], several: bool
+    ) -> tuple[tuple[m.Occurrence, ...], tuple[m.Source, ...]]:
+        """Returns the sets of a field, all of its family or those that it lists, with its sources in each; and the
+        sources of the field itself: those that are about it, or else about all fields of its sets."""
+        listed = list(node.get("in") or ())
+        if listed and not several:
+            self.problems.add(node.keys["in"], "only a family of several sets has 'in'; remove it")
+        set_names = [s.name for s in sets]
+        for entry in listed if several else ():
+            if entry.value not in set_names:
+                near = nearest(entry.value, set_names)
+                self.problems.add(entry.position, f"the family has no set '{entry.value}'{near}")
+        names = {entry.value for entry in listed} & {*set_names} or {*set_names}
+        own: list[m.Source] = []
+        occurrences: list[m.Occurrence] = []
+        for s in sets:
+            if s.name in names:
+                cited = self.cited(f"{s.name}.{node['name'].value}", _heading(node, s.number))
+                own += cited
+                every = self.cited(f"{s.name}.*") if several else ()
+                occurrences.append(m.Occurrence(s.number, s.name, _title(node), cited or every, position=node.position))
+        return tuple(occurrences), tuple(dict.fromkeys(own or [x for o in occurrences for x in o.sources]))
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
         if _shares(node):
@@ -354,38 +377,6 @@ def _first(node: Node) -> int:
     """Returns the lowest number of the sets of a file."""
     entries = [entry for _, entry in node["sets"].items()] if "sets" in node else [node]
     return min(int(entry["set"].value) for entry in entries)
-
-
-@dataclass(frozen=True, slots=True)
-class _Places:
-    """The sets in which the fields of a family occur: all of them, or those that a field lists."""
-
-    several: bool
-    sets: tuple[m.Set, ...]
-    sources: Callable[[str, str | None], tuple[m.Source, ...]]
-    problems: Problems
-
-    def of(self, node: Node) -> tuple[tuple[m.Occurrence, ...], tuple[m.Source, ...]]:
-        """Returns the sets of a field, with its sources in each, and the sources of the field itself: those that are
-        about it, or else about all fields of its sets."""
-        listed = list(node.get("in") or ())
-        if listed and not self.several:
-            self.problems.add(node.keys["in"], "only a family of several sets has 'in'; remove it")
-        set_names = [s.name for s in self.sets]
-        for entry in listed if self.several else ():
-            if entry.value not in set_names:
-                near = nearest(entry.value, set_names)
-                self.problems.add(entry.position, f"the family has no set '{entry.value}'{near}")
-        names = {entry.value for entry in listed} & {*set_names} or {*set_names}
-        own: list[m.Source] = []
-        occurrences: list[m.Occurrence] = []
-        for s in self.sets:
-            if s.name in names:
-                cited = self.sources(f"{s.name}.{node['name'].value}", _heading(node, s.number))
-                own += cited
-                every = self.sources(f"{s.name}.*", None) if self.several else ()
-                occurrences.append(m.Occurrence(s.number, s.name, _title(node), cited or every, position=node.position))
-        return tuple(occurrences), tuple(dict.fromkeys(own or [x for o in occurrences for x in o.sources]))
 
 
 def _constants(f: m.Field) -> int:
