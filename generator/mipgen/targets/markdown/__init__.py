@@ -82,7 +82,8 @@ def _lists(site: Site, model: m.Model) -> Iterator[File]:
     yield file(p := at(places.PACKETS), "packets.md.j2", packets=Packets(p))
     yield file(p := at(places.UNITS), "units.md.j2", units=Units(p))
     for path in site.lists["comparison"]:
-        yield file(p := at(path), path.removeprefix("docs/") + ".j2", devices=Comparison(p))
+        kind = path.rpartition("/")[2].removesuffix(".md")
+        yield file(p := at(path), "compare.md.j2", devices=Comparison(p), kind=kind)
     for x in INDEXES:
         yield file(at(x.path), "index_page.md.j2", index=x)
     for tool in TOOLS:
@@ -96,7 +97,7 @@ def _lists(site: Site, model: m.Model) -> Iterator[File]:
         yield file(p, "examples_of_manual.md.j2", manual=manual, parts=parts)
     programs = list(_programs(site, model))
     for title, path, named in programs:
-        yield file(at(path), "listings.md.j2", title=title, listings=listings(site.index.samples, named))
+        yield file(at(path), "other_programs.md.j2", title=title, listings=listings(site.index.samples, named))
     p = at(places.INDEX)  # paths in the navigation are relative to docs/
     views = {"page": p, **site.lists, "contents": Contents(p), "examples": examples}
     views["programs"] = programs
