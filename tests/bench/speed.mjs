@@ -1,7 +1,7 @@
-// The speed of the JavaScript package relative to a hand-written loop: node speed.mjs FOLDER STREAM prints the ratios as JSON.
+// The speed of the JavaScript package relative to hand-written loops: `node speed.mjs FOLDER STREAM` prints ratios as JSON.
 //
-// The loops do the same work with a DataView: they check the same checksums, and read the same fields into objects. All
-// run in turn in one process, and the median of the ratios counts.
+// The loops check the same checksums and read the same fields into objects, with a DataView. All run in turn in one
+// process; the median of the ratios counts.
 
 import { readFileSync } from "node:fs";
 
@@ -16,29 +16,23 @@ const PIECE = 4096;
 const bytes = new Uint8Array(readFileSync(path));
 const pieces = Array.from({ length: Math.ceil(bytes.length / PIECE) }, (_, i) => bytes.subarray(i * PIECE, (i + 1) * PIECE));
 
-/** Adds the offsets of the packets in `bytes` to `found`; returns where an incomplete one begins. */
+/** Adds the packets in `bytes` to `found`; returns where an incomplete one begins. */
 function packetsIn(bytes, found) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
     let at = 0;
     while (at + 6 <= bytes.length) {
-        if (bytes[at] !== 0x75 || bytes[at + 1] !== 0x65) {
-            at++;
-            continue;
-        }
         const end = at + bytes[at + 3] + 4;
-        if (end + 2 > bytes.length) break;
+        const begins = bytes[at] === 0x75 && bytes[at + 1] === 0x65;
+        if (begins && end + 2 > bytes.length) break;
         let a = 0;
         let b = 0;
-        for (let i = at; i < end; i++) {
+        for (let i = at; begins && i < end; i++) {
             a += bytes[i];
             b += a;
         }
-        if (bytes[end] === (a & 0xff) && bytes[end + 1] === (b & 0xff)) {
-            found.push({ view, at });
-            at = end + 2;
-        } else {
-            at++;
-        }
+        const whole = begins && bytes[end] === (a & 0xff) && bytes[end + 1] === (b & 0xff);
+        if (whole) found.push({ view, at });
+        at = whole ? end + 2 : at + 1;
     }
     return at;
 }
@@ -53,7 +47,7 @@ function parsedByHand(pieces, use) {
         joined.set(piece, rest.length);
         const found = [];
         rest = joined.subarray(packetsIn(joined, found));
-        for (const packet of found) sum += use(packet);
+        sum += total(found, use);
     }
     return sum;
 }
@@ -61,17 +55,15 @@ function parsedByHand(pieces, use) {
 function parsed(pieces, use) {
     const parser = new Parser();
     let sum = 0;
-    for (const piece of pieces) for (const packet of parser.feed(piece)) sum += use(packet);
+    for (const piece of pieces) sum += total(parser.feed(piece), use);
     return sum;
 }
 
-const vector = (view, at) => [view.getFloat32(at), view.getFloat32(at + 4), view.getFloat32(at + 8)];
-const euler = (view, at) => ({
-    roll: view.getFloat32(at),
-    pitch: view.getFloat32(at + 4),
-    yaw: view.getFloat32(at + 8),
-    validFlags: view.getUint16(at + 12),
-});
+function total(all, use) {
+    let sum = 0;
+    for (const one of all) sum += use(one);
+    return sum;
+}
 
 /** Returns the offset of a field's data; 0 if the packet has no such field. */
 function place(view, at, set, descriptor) {
@@ -84,6 +76,16 @@ function place(view, at, set, descriptor) {
     return 0;
 }
 
+const vector = (view, at) => [view.getFloat32(at), view.getFloat32(at + 4), view.getFloat32(at + 8)];
+const angles = (set, view, at) => ({ set, roll: view.getFloat32(at), pitch: view.getFloat32(at + 4), yaw: view.getFloat32(at + 8) });
+const euler = (set, view, at) => ({
+    set,
+    roll: view.getFloat32(at),
+    pitch: view.getFloat32(at + 4),
+    yaw: view.getFloat32(at + 8),
+    validFlags: view.getUint16(at + 12),
+});
+
 const kept = new Array(64); // what is found, so that no optimizer drops it
 let number = 0;
 
@@ -93,22 +95,20 @@ function keep(field) {
     return 1;
 }
 
-function foundByHand(view, start) {
-    const accel = place(view, start, 0x80, 0x04);
-    const gyro = place(view, start, 0x80, 0x05);
-    const angles = place(view, start, 0x82, 0x05);
+function foundByHand({ view, at }) {
+    const accel = place(view, at, 0x80, 0x04);
+    const gyro = place(view, at, 0x80, 0x05);
+    const attitude = place(view, at, 0x82, 0x05);
     return (
         keep(accel && { scaledAccel: vector(view, accel) }) +
         keep(gyro && { scaledGyro: vector(view, gyro) }) +
-        keep(angles && euler(view, angles))
+        keep(attitude && euler(0x82, view, attitude))
     );
 }
 
-function found(packet) {
-    return keep(packet.find(ScaledAccel)) + keep(packet.find(ScaledGyro)) + keep(packet.find(EulerAngles));
-}
+const found = (packet) => keep(packet.find(ScaledAccel)) + keep(packet.find(ScaledGyro)) + keep(packet.find(EulerAngles));
 
-function fieldsByHand(view, at) {
+function decodedByHand({ view, at }) {
     const set = view.getUint8(at + 2);
     const end = at + 4 + view.getUint8(at + 3);
     const fields = [];
@@ -121,43 +121,26 @@ function fieldsByHand(view, at) {
         else if (set === 0x80 && descriptor === 0x04) fields.push({ set, scaledAccel: vector(view, data) });
         else if (set === 0x80 && descriptor === 0x05) fields.push({ set, scaledGyro: vector(view, data) });
         else if (set === 0x80 && descriptor === 0x06) fields.push({ set, scaledMag: vector(view, data) });
-        else if (set === 0x80 && descriptor === 0x0c)
-            fields.push({ set, roll: view.getFloat32(data), pitch: view.getFloat32(data + 4), yaw: view.getFloat32(data + 8) });
-        else if (set === 0x82 && descriptor === 0x05) fields.push({ set, ...euler(view, data) });
+        else if (set === 0x80 && descriptor === 0x0c) fields.push(angles(set, view, data));
+        else if (set === 0x82 && descriptor === 0x05) fields.push(euler(set, view, data));
         else throw new Error(`${set} ${descriptor}`);
     }
-    return fields;
+    return keep(fields);
 }
 
-function total(all, use) {
-    let sum = 0;
-    for (const one of all) sum += use(one);
-    return sum;
-}
-
-const starts = [];
-packetsIn(bytes, starts);
+const decoded = (packet) => keep(registry.decode(packet));
+const setByHand = ({ view, at }) => view.getUint8(at + 2);
+const byHand = [];
+packetsIn(bytes, byHand);
 const packets = new Parser().feed(bytes);
 
 /** Name -> what a program does by hand, and with the package; both return the same number. */
 const WORK = {
-    "Parser, all bytes at once": [
-        () => parsedByHand([bytes], ({ view, at }) => view.getUint8(at + 2)),
-        () => parsed([bytes], ({ set }) => set),
-    ],
-    "Parser, pieces of 4 KiB": [
-        () => parsedByHand(pieces, ({ view, at }) => view.getUint8(at + 2)),
-        () => parsed(pieces, ({ set }) => set),
-    ],
-    "`find` of three types": [() => total(starts, ({ view, at }) => foundByHand(view, at)), () => total(packets, found)],
-    "`registry.decode`": [
-        () => total(starts, ({ view, at }) => keep(fieldsByHand(view, at))),
-        () => total(packets, (packet) => keep(registry.decode(packet))),
-    ],
-    "Parser and `registry.decode`, pieces of 4 KiB": [
-        () => parsedByHand(pieces, ({ view, at }) => keep(fieldsByHand(view, at))),
-        () => parsed(pieces, (packet) => keep(registry.decode(packet))),
-    ],
+    "Parser, all bytes at once": [() => parsedByHand([bytes], setByHand), () => parsed([bytes], ({ set }) => set)],
+    "Parser, pieces of 4 KiB": [() => parsedByHand(pieces, setByHand), () => parsed(pieces, ({ set }) => set)],
+    "`find` of three types": [() => total(byHand, foundByHand), () => total(packets, found)],
+    "`registry.decode`": [() => total(byHand, decodedByHand), () => total(packets, decoded)],
+    "Parser and `registry.decode`": [() => parsedByHand(pieces, decodedByHand), () => parsed(pieces, decoded)],
 };
 
 const ratios = {};

@@ -143,14 +143,6 @@ def test_bits_have_their_masks(spec: str) -> None:
     assert json.loads(node("--input-type=module", "-e", code, FOLDER=folder, NAMES=json.dumps([*wanted]))) == wanted
 
 
-@small("the real modules of JavaScript")
-def test_every_module_can_be_imported(spec: str) -> None:
-    paths = sorted((SPECS[spec][1] / "javascript").rglob("*.mjs"))
-    assert len(paths) > 5
-    imports = "".join(f'await import("{path.as_uri()}");' for path in paths)
-    node("--input-type=module", "--eval", imports)
-
-
 def test_every_export_is_in_the_readme() -> None:
     readme = (GENERATED / "README.md").read_text("utf-8")
     index = (GENERATED / "mip/index.mjs").read_text("utf-8") + (GENERATED / "mip/tools.mjs").read_text("utf-8")

@@ -16,7 +16,7 @@ export function bandwidth(root, protocol, options = {}) {
     const state = options.state ?? new State(options.start, options.device);
     const given = state.get("given");
     if (deviceOf(protocol, given)) state.adopt({ device: given });
-    const output = element("div", { class: "mip-output mip-totals", "aria-live": "polite" });
+    const output = element("div.mip-output.mip-totals", { "aria-live": "polite" });
     const note = element("div", { role: "status" });
     const show = () => output.replaceChildren(...report(device.chosen(), chooser));
     const chooser = streamChooser(protocol, state, to, show);
@@ -40,7 +40,7 @@ function unknown(protocol, given, to) {
     if (!given || deviceOf(protocol, given)) return [];
     const hits = find(indexOf(protocol), given).map(({ field }) => field);
     return [
-        element("p", { class: "mip-wrong" }, `The address contains an unknown device: “${given}”.`),
+        element("p.mip-wrong", `The address contains an unknown device: “${given}”.`),
         hits.length > 0 && element("p", "Fields that it may mean:"),
         hits.length > 0 && hitsList(hits, to),
     ].filter(Boolean);
@@ -48,21 +48,17 @@ function unknown(protocol, given, to) {
 
 function report(device, chooser) {
     const wrong = chooser.problem();
-    if (wrong) return [element("p", { class: "mip-wrong" }, `${wrong.field.title} needs ${wrong.problem()}.`)];
+    if (wrong) return [element("p.mip-wrong", `${wrong.field.title} needs ${wrong.problem()}.`)];
     const { bytes, baud } = needOf(chooser.chosen());
-    if (!bytes) return [element("p", { class: "mip-note" }, "Choose fields below.")];
+    if (!bytes) return [element("p.mip-note", "Choose fields below.")];
     const ports = portsFor(device, baud).map(({ port, rate }) => {
         const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is sufficient");
         const kind = rate === undefined ? "mip-wrong" : "";
         return element("li", { "data-port": port.name, class: kind }, `${port.name}: `, element("span", `${words}`), rate ? " Bd" : "");
     });
     return [
-        element(
-            "p",
-            { class: "mip-need" },
-            `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`,
-        ),
-        ports.length > 0 && element("ul", { class: "mip-ports", "aria-label": "Smallest baud rate of each port" }, ports),
+        element("p.mip-need", `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`),
+        ports.length > 0 && element("ul.mip-ports", { "aria-label": "Smallest baud rate of each port" }, ports),
         element("p", "Allow headroom for replies to commands. A device drops the packets that do not fit."),
     ].filter(Boolean);
 }

@@ -49,11 +49,11 @@ export function builder(root, protocol, options = {}) {
             reshaped();
         },
     });
-    const problem = element("p", { class: "mip-wrong", role: "status" }, start.problem);
-    const totals = element("p", { class: "mip-totals mip-need", role: "status", hidden: true });
-    const forms = element("div", { class: "mip-forms" });
-    const output = element("div", { class: "mip-output", "aria-live": "polite" });
-    const outcome = element("div", { class: "mip-outcome", role: "status" });
+    const problem = element("p.mip-wrong", { role: "status" }, start.problem);
+    const totals = element("p.mip-totals.mip-need", { role: "status", hidden: true });
+    const forms = element("div.mip-forms");
+    const output = element("div.mip-output", { "aria-live": "polite" });
+    const outcome = element("div.mip-outcome", { role: "status" });
 
     let started = false; // the address stays as it is until something is changed
     const show = () => {
@@ -103,7 +103,7 @@ export function builder(root, protocol, options = {}) {
             note,
             search.root,
             totals,
-            element("div", { class: "mip-columns" }, forms, output),
+            element("div.mip-columns", forms, output),
         ].filter(Boolean),
     );
     linkRows(root);

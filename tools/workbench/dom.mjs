@@ -1,8 +1,10 @@
 // Creates elements of a page, and links to the reference.
 
-/** Creates an element with children, before which an object of attributes may be; texts are shown literally. */
-export function element(tag, ...children) {
+/** Creates an element, "p" or "p.class", with attributes, if an object comes first, and children; texts are shown literally. */
+export function element(name, ...children) {
+    const [tag, ...classes] = name.split(".");
     const made = document.createElement(tag);
+    if (classes.length) made.className = classes.join(" ");
     const attributes = children[0]?.constructor === Object ? children.shift() : {};
     for (const [name, value] of Object.entries(attributes)) {
         if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
@@ -52,7 +54,7 @@ export function profileNote(device) {
     if (!device?.incomplete) return undefined;
     const unknown = device.incomplete.join(" ").replaceAll("`", "");
     const marked = "Fields whose support is likely, assumed or unknown are offered and marked.";
-    return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
+    return element("p.mip-note", `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
 }
 
 /** Returns the words after the name of a field whose support by the device is not certain. */
@@ -119,8 +121,8 @@ export function table(heads, rows, label) {
     const cells = heads.map((text) => element("th", { scope: "col" }, text));
     for (const row of rows) for (const [i, cell] of [...row.cells].entries()) cell.dataset.head = heads[i]; // on a narrow screen
     return element(
-        "div",
-        { class: "mip-scroll", tabindex: "0", role: "group", "aria-label": label ?? heads.join(", ") },
+        "div.mip-scroll",
+        { tabindex: "0", role: "group", "aria-label": label ?? heads.join(", ") },
         element("table", element("thead", element("tr", cells)), element("tbody", rows)),
     );
 }

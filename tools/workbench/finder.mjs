@@ -46,8 +46,7 @@ export function finder(root, protocol, options = {}) {
 /** Lists fields with links to their pages, and from the tools' own pages also to the builder. */
 export function hitsList(fields, to) {
     return element(
-        "ul",
-        { class: "mip-results" },
+        "ul.mip-results",
         fields.map((field) =>
             element(
                 "li",

@@ -17,7 +17,7 @@ import { descriptorOf, hexByte } from "./words.mjs";
 /** Creates a form for each field; several can be moved and removed. */
 export function entryForms(protocol, state, events, to) {
     return state.entries.map((entry, i) => {
-        const form = element("div", { class: "mip-form" }, inputs(protocol, state, entry, events));
+        const form = element("div.mip-form", inputs(protocol, state, entry, events));
         if (state.entries.length === 1) return form;
         const move = (by) => () => {
             state.entries.splice(i + by, 0, ...state.entries.splice(i, 1));
@@ -30,8 +30,8 @@ export function entryForms(protocol, state, events, to) {
         const button = (words, act, disabled) =>
             element("button", { type: "button", onclick: act, disabled, "aria-label": `${words}: field ${i + 1}` }, words);
         return element(
-            "section",
-            { class: "mip-entry", "data-field": entry.field.name },
+            "section.mip-entry",
+            { "data-field": entry.field.name },
             element("h2", `${i + 1}. `, to.field(entry.field), ` ${descriptorOf(entry.field, state.set)}`),
             element(
                 "p",
@@ -82,8 +82,7 @@ function deviceNotes(protocol, { device, set }, field) {
     if (!found.length) return [];
     return [
         element(
-            "ul",
-            { class: "mip-device-notes" },
+            "ul.mip-device-notes",
             found.map((text) => element("li", `${device.title}: ${text}`)),
         ),
     ];

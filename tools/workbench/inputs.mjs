@@ -120,7 +120,7 @@ function hexInput(context, parameter, value, size, set) {
     const control = element("input", { value: hexOf(value, size), spellcheck: "false", class: "mip-hex" });
     const { protocol, values, outer } = context;
     const choices = choicesOf(protocol, parameter, values, outer);
-    const meaning = element("small", { class: "mip-meant" }, choices.get(Number(value)) ?? "");
+    const meaning = element("small.mip-meant", choices.get(Number(value)) ?? "");
     control.addEventListener("input", () => {
         const number = numberOfText(control.value, "unsigned");
         meaning.textContent = choices.get(Number(number)) ?? "";

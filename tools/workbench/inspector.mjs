@@ -27,7 +27,7 @@ export function inspector(root, protocol, options = {}) {
         state.get("bytes") || example(protocol),
     );
     const device = deviceChoice(protocol, state, "mip-device", () => update());
-    const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const output = element("div.mip-output", { "aria-live": "polite" });
     let index;
     const hits = (text) => {
         index ??= indexOf(protocol);
@@ -56,12 +56,7 @@ export function inspector(root, protocol, options = {}) {
             ),
         ),
         input,
-        element(
-            "p",
-            { class: "mip-controls" },
-            element("span", element("label", { for: "mip-device" }, "Values as on"), device.control),
-            log.chooser,
-        ),
+        element("p.mip-controls", element("span", element("label", { for: "mip-device" }, "Values as on"), device.control), log.chooser),
         log.output,
         output,
     );
@@ -86,20 +81,20 @@ function report({ bytes, ignored, parts, transactions }, to, hits) {
         const fields = hits(text);
         const words = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: ";
         return [
-            element("p", { class: "mip-wrong" }, words, text),
+            element("p.mip-wrong", words, text),
             fields.length > 0 && element("p", "Fields that it may mean:"),
             fields.length > 0 && hitsList(fields, to),
         ].filter(Boolean);
     }
-    if (!bytes.length) return [element("p", { class: "mip-note" }, "Nothing to read yet.")];
+    if (!bytes.length) return [element("p.mip-note", "Nothing to read yet.")];
     const packets = parts.filter((part) => part.kind !== "other").length;
     const summary = `${count(bytes.length, "byte")}, ${count(packets, "packet")}`;
     const note = State.tooLong(spacedHex(bytes)) ? "; too long for a link: the address does not hold it" : "";
     return [
-        element("p", { class: "mip-summary" }, summary, ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : "", note),
+        element("p.mip-summary", summary, ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : "", note),
         transactionList(transactions, to),
         ...parts.slice(0, MOST).map((part) => partReport(part, to)),
-        parts.length > MOST && element("p", { class: "mip-note" }, `${parts.length - MOST} more are not shown; open the file as a log.`),
+        parts.length > MOST && element("p.mip-note", `${parts.length - MOST} more are not shown; open the file as a log.`),
     ].filter(Boolean);
 }
 
@@ -107,8 +102,7 @@ function report({ bytes, ignored, parts, transactions }, to, hits) {
 export function transactionList(transactions, to) {
     if (!transactions.some(({ answer }) => answer)) return undefined;
     return element(
-        "section",
-        { class: "mip-transactions" },
+        "section.mip-transactions",
         element("h2", "Commands and answers"),
         element(
             "ol",
@@ -127,7 +121,7 @@ export function transaction({ command, answer, response }, to) {
     return [
         element("strong", named),
         field && ` ${descriptorOf(field)} `,
-        asked && element("span", { class: "mip-asked" }, asked),
+        asked && element("span.mip-asked", asked),
         element("div", { class: !answered ? "mip-note" : answered.accepted ? "mip-right" : "mip-refused" }, `${became}.`),
         response?.rows.length > 0 &&
             element(
@@ -144,11 +138,11 @@ function partReport(part, to) {
 function otherBytes({ bytes, why }) {
     const text = Array.from(bytes, (byte) => (byte >= 32 && byte < 127 ? String.fromCharCode(byte) : "·")).join("");
     return element(
-        "section",
-        { class: "mip-other", "data-kind": "other" },
+        "section.mip-other",
+        { "data-kind": "other" },
         element("p", `${count(bytes.length, "byte")} outside packets: `, element("code", spacedHex(bytes)), ` ${text}`),
         why.map(({ at, error }) =>
-            element("p", { class: "mip-wrong" }, `The bytes from byte ${at + 1} look like a packet, but are not one: ${error.message}.`),
+            element("p.mip-wrong", `The bytes from byte ${at + 1} look like a packet, but are not one: ${error.message}.`),
         ),
     );
 }
@@ -158,10 +152,10 @@ export function packetReport(part, to) {
     const title = set ? `${set.title} (${hexByte(set.number)})` : bytes.length > 2 ? `Unknown set ${hexByte(bytes[2])}` : "Packet";
     const bytesShown = ruler(part); // which gives each row its colour
     return element(
-        "section",
-        { class: "mip-packet", "data-kind": kind, "data-bytes": spacedHex(bytes) },
+        "section.mip-packet",
+        { "data-kind": kind, "data-bytes": spacedHex(bytes) },
         element("h2", title),
-        element("p", { class: "mip-bytes" }, bytesShown),
+        element("p.mip-bytes", bytesShown),
         element("p", copies(part), " ", verdict(part)),
         part.misprints.map((misprint) => misprintNote(misprint, to)),
         fields.map((field) => fieldReport(field, bytes[2], to)),
@@ -171,14 +165,13 @@ export function packetReport(part, to) {
 function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
     if (kind === "incomplete") {
         const missing = bytes.length > 3 ? count(bytes[3] + 6 - bytes.length, "byte") : "at least one byte";
-        return element("span", { class: "mip-verdict mip-wrong" }, `The packet is incomplete: ${missing} missing.`);
+        return element("span.mip-verdict.mip-wrong", `The packet is incomplete: ${missing} missing.`);
     }
     if (sound) {
-        return element("span", { class: "mip-verdict mip-right" }, "Checksum ", element("code", spacedHex(checksum)), " is right.");
+        return element("span.mip-verdict.mip-right", "Checksum ", element("code", spacedHex(checksum)), " is right.");
     }
     return element(
-        "span",
-        { class: "mip-verdict mip-wrong" },
+        "span.mip-verdict.mip-wrong",
         "Checksum ",
         element("code", spacedHex(checksum)),
         " is wrong; correct: ",
@@ -189,8 +182,7 @@ function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
 
 function misprintNote({ example, right, errata }, to) {
     return element(
-        "p",
-        { class: "mip-note" },
+        "p.mip-note",
         `The manual ${example.manual} shows these bytes (${example.section}: ${example.title}) by mistake. Correct: `,
         element("code", spacedHex(right)),
         ". ",
@@ -204,21 +196,21 @@ function listed(errata, to) {
 
 function fieldReport(found, set, to) {
     const { field, descriptor, bytes, error, rows = [], errata = [], trailing, answered } = found;
-    if (descriptor === undefined) return element("p", { class: "mip-wrong" }, `The rest is malformed: ${error.message}.`);
+    if (descriptor === undefined) return element("p.mip-wrong", `The rest is malformed: ${error.message}.`);
     const heading = field
         ? element("h3", to.field(field), ` ${descriptorOf(field, set)} `, element("code", nameIn(field, set)))
         : element("h3", `Unknown descriptor ${hexByte(descriptor)}`);
     return element(
-        "div",
-        { class: "mip-field", "data-field": field?.name ?? "" },
+        "div.mip-field",
+        { "data-field": field?.name ?? "" },
         heading,
         answered
             ? element("p", { class: answered.accepted ? "mip-right" : "mip-refused" }, `${answered.text}.`)
             : field && element("p", field.description),
-        element("p", { class: "mip-bytes" }, element("code", spacedHex(bytes))),
-        error && element("p", { class: "mip-wrong" }, `It cannot be decoded: ${error.message}.`),
+        element("p.mip-bytes", element("code", spacedHex(bytes))),
+        error && element("p.mip-wrong", `It cannot be decoded: ${error.message}.`),
         rows.length > 0 && valueTable(rows, field.title),
-        trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} after the last known parameter.`),
-        errata.length > 0 && element("p", { class: "mip-note" }, "Mistakes in the manuals: ", listed(errata, to)),
+        trailing > 0 && element("p.mip-note", `${count(trailing, "byte")} after the last known parameter.`),
+        errata.length > 0 && element("p.mip-note", "Mistakes in the manuals: ", listed(errata, to)),
     );
 }

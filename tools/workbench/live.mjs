@@ -98,20 +98,20 @@ class Live {
             serve,
             baud,
             serial: button("Open a serial port …", this.#openPort, { class: "mip-main", disabled: !navigator.serial }),
-            status: element("p", { class: "mip-status", role: "status" }, "Not connected."),
-            actions: element("p", { class: "mip-actions" }),
+            status: element("p.mip-status", { role: "status" }, "Not connected."),
+            actions: element("p.mip-actions"),
             identity: element("div"),
             connected: element("div", { hidden: true }),
             preset: element("input", { type: "checkbox", id: "mip-preset", checked: true }),
             start: button("Start", this.#start, { class: "mip-main" }),
             stop: button("Stop", this.#stop),
-            need: element("span", { class: "mip-need" }),
+            need: element("span.mip-need"),
             outcome: element("p", { role: "status" }),
-            data: element("div", { class: "mip-each" }),
-            attitude: element("canvas", { class: "mip-attitude", role: "img", "aria-label": "Attitude" }),
-            angles: element("p", { class: "mip-angles" }),
-            picture: element("section", { class: "mip-reading", hidden: true }),
-            counts: element("p", { class: "mip-note" }),
+            data: element("div.mip-each"),
+            attitude: element("canvas.mip-attitude", { role: "img", "aria-label": "Attitude" }),
+            angles: element("p.mip-angles"),
+            picture: element("section.mip-reading", { hidden: true }),
+            counts: element("p.mip-note"),
             record: button("Record", this.#record),
             recorded: element("span", { role: "status" }),
             load: element("input", { type: "file", id: "mip-settings", accept: ".yaml,.yml,.json" }),
@@ -123,11 +123,10 @@ class Live {
         const commands = element("div");
         parts.load.addEventListener("change", () => this.#load());
         const connect = element(
-            "section",
-            { class: "mip-connect" },
+            "section.mip-connect",
             element("h2", "Connect"),
             element("p", parts.serial, " ", element("label", { for: "mip-baud" }, "at "), baud),
-            !navigator.serial && element("p", { class: "mip-note" }, SERIAL),
+            !navigator.serial && element("p.mip-note", SERIAL),
             element(
                 "form",
                 {
@@ -154,35 +153,27 @@ class Live {
         parts.connect = connect;
         parts.streams = folded("Streams", [this.#chooser.root], { open: true });
         parts.connected.append(
-            element("div", { class: "mip-totals mip-actions" }, parts.start, parts.stop, parts.record, parts.need, parts.recorded),
+            element("div.mip-totals.mip-actions", parts.start, parts.stop, parts.record, parts.need, parts.recorded),
             parts.outcome,
             parts.streams,
-            element(
-                "section",
-                { class: "mip-section" },
-                element("h2", "Data"),
-                parts.counts,
-                element("div", { class: "mip-readings" }, parts.picture, parts.data),
-            ),
+            element("section.mip-section", element("h2", "Data"), parts.counts, element("div.mip-readings", parts.picture, parts.data)),
             folded("Commands", [commands]),
             folded("Settings", [
                 element(
-                    "p",
-                    { class: "mip-actions" },
+                    "p.mip-actions",
                     button("Save to a file", this.#save),
                     element("label", { for: "mip-settings" }, "Load from a file "),
                     parts.load,
                 ),
                 element(
-                    "p",
-                    { class: "mip-note" },
+                    "p.mip-note",
                     "The file is that of mip config. Loading checks all of it, writes what differs, and saves nothing in flash memory: " +
                         "for that, send a command with the function save.",
                 ),
                 parts.progress,
             ]),
         );
-        const bar = element("div", { class: "mip-bar" }, parts.status, parts.actions);
+        const bar = element("div.mip-bar", parts.status, parts.actions);
         root.replaceChildren(connect, bar, parts.identity, parts.connected);
         this.#builder = builder(commands, this.#protocol, {
             ...options,
@@ -261,7 +252,7 @@ class Live {
         try {
             device = await open({ explain: rejections(this.#protocol.model), onBytes: (bytes) => this.#recording?.add(bytes) });
         } catch (error) {
-            this.#say(element("span", { class: "mip-wrong" }, `Not connected: ${error.message}.`));
+            this.#say(element("span.mip-wrong", `Not connected: ${error.message}.`));
             this.#offer("Try again");
             return;
         }
@@ -289,11 +280,11 @@ class Live {
                 firmware: versionText(Number(told("firmware_version"))),
             };
             this.#parts.identity.replaceChildren(identityList(rows, known), ...[profileNote(known)].filter(Boolean));
-            this.#say(element("span", { class: "mip-right" }, `Connected to ${known?.title ?? "a device that is not known here"}.`));
+            this.#say(element("span.mip-right", `Connected to ${known?.title ?? "a device that is not known here"}.`));
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
             if (device !== this.#device) return; // lost meanwhile
-            this.#say(element("span", { class: "mip-wrong" }, `Connected, but the device was not identified: ${error.message}.`));
+            this.#say(element("span.mip-wrong", `Connected, but the device was not identified: ${error.message}.`));
         }
         if (device !== this.#device) return;
         this.#parts.actions.replaceChildren(element("button", { type: "button", onclick: () => this.#leave() }, "Disconnect"));
@@ -318,7 +309,7 @@ class Live {
 
     #lost(error) {
         this.#device = undefined;
-        this.#say(element("span", { class: "mip-wrong" }, `The connection is lost: ${error.cause?.message ?? error.message}.`));
+        this.#say(element("span.mip-wrong", `The connection is lost: ${error.cause?.message ?? error.message}.`));
         this.#parts.actions.replaceChildren();
         this.#offer("Connect again");
         this.#endRecording();
@@ -376,7 +367,7 @@ class Live {
             outcome.replaceChildren(said.join(" ") || "Started.");
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            outcome.replaceChildren(element("span", { class: "mip-wrong" }, `Not started: ${error.message}.`));
+            outcome.replaceChildren(element("span.mip-wrong", `Not started: ${error.message}.`));
         }
     }
 
@@ -386,7 +377,7 @@ class Live {
             this.#parts.outcome.replaceChildren("Stopped: the device is idle.");
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            this.#parts.outcome.replaceChildren(element("span", { class: "mip-wrong" }, `Not stopped: ${error.message}.`));
+            this.#parts.outcome.replaceChildren(element("span.mip-wrong", `Not stopped: ${error.message}.`));
         }
         this.#streaming = false;
     }
@@ -412,22 +403,19 @@ class Live {
     }
 
     async #send(packet) {
-        if (!this.#device) return [element("p", { class: "mip-wrong" }, "Not connected.")];
+        if (!this.#device) return [element("p.mip-wrong", "Not connected.")];
         try {
             const found = await this.#exchange(packet);
             return found.map((one) =>
                 element(
-                    "div",
-                    { class: "mip-transaction" },
-                    one.answer
-                        ? transaction(one, this.#to)
-                        : element("p", { class: "mip-wrong" }, `${one.command.field.title}: ${one.error}.`),
-                    one.answer && one.error && element("p", { class: "mip-wrong" }, `${one.error}.`),
+                    "div.mip-transaction",
+                    one.answer ? transaction(one, this.#to) : element("p.mip-wrong", `${one.command.field.title}: ${one.error}.`),
+                    one.answer && one.error && element("p.mip-wrong", `${one.error}.`),
                 ),
             );
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            return [element("p", { class: "mip-wrong" }, `Not sent: ${error.message}.`)];
+            return [element("p.mip-wrong", `Not sent: ${error.message}.`)];
         }
     }
 
@@ -456,7 +444,7 @@ class Live {
             if (!(error instanceof MipError)) throw error;
             const [first, ...more] = error.message.split("\n");
             const lines = more.map((line) => element("span", element("br"), line));
-            progress.replaceChildren(element("span", { class: "mip-wrong" }, `${what} failed: ${first}`, lines));
+            progress.replaceChildren(element("span.mip-wrong", `${what} failed: ${first}`, lines));
         }
         if (streaming && this.#device) await this.#start();
     }
@@ -543,10 +531,10 @@ class Live {
 
     #begin(reading) {
         const title = reading.field ? this.#to.field(reading.field) : `Unknown descriptor ${reading.descriptor}`;
-        const rate = element("span", { class: "mip-note" });
+        const rate = element("span.mip-note");
         const set = this.#protocol.sets.get(reading.set)?.title ?? hexByte(reading.set);
-        const values = element("dl", { class: "mip-values" });
-        const plots = element("div", { class: "mip-plots", hidden: true });
+        const values = element("dl.mip-values");
+        const plots = element("div.mip-plots", { hidden: true });
         const box = element("input", { type: "checkbox" });
         const plotted = [...this.#shown.values()].filter(({ reading: one }) => one.plotted).length;
         const choose = (on) => {
@@ -560,12 +548,7 @@ class Live {
         const root = element(
             "section",
             { class: `mip-reading${isTime ? " mip-last" : ""}`, "data-field": reading.name ?? "" },
-            element(
-                "div",
-                { class: "mip-bar" },
-                element("h3", title, " ", rate),
-                reading.plottable && element("label", { class: "mip-note" }, box, " plot"),
-            ),
+            element("div.mip-bar", element("h3", title, " ", rate), reading.plottable && element("label.mip-note", box, " plot")),
             values,
             plots,
         );
@@ -599,7 +582,7 @@ class Live {
         for (const { reading, plots } of this.#shown.values()) {
             for (const [i, plot] of (reading.plotted ? reading.plots : []).entries()) {
                 const what = plot.track ? "Track" : `Plot of ${reading.field.title} in ${plot.unit}`;
-                const canvas = plots.children[i] ?? element("canvas", { class: "mip-plot", role: "img" });
+                const canvas = plots.children[i] ?? element("canvas.mip-plot", { role: "img" });
                 if (!canvas.isConnected) plots.append(canvas);
                 canvas.setAttribute("aria-label", what);
                 if (plot.track) drawTrack(canvas, plot);
@@ -619,7 +602,7 @@ class Live {
 
 /** Creates a collapsible part of the page. */
 function folded(title, children, attributes = {}) {
-    return element("details", { class: "mip-section", ...attributes }, element("summary", element("h2", title)), children);
+    return element("details.mip-section", { ...attributes }, element("summary", element("h2", title)), children);
 }
 
 /** Formats a firmware version like the vendor: 1202 is 1.2.02. */
@@ -641,7 +624,7 @@ function identityList(rows, known) {
         const said = text.replace(/^"\s*|\s*"$/g, "");
         return said && element("div", element("dt", name), element("dd", said, meaning && ` (${meaning})`));
     });
-    return element("dl", { class: "mip-identity", "data-device": known?.id ?? "" }, items.filter(Boolean));
+    return element("dl.mip-identity", { "data-device": known?.id ?? "" }, items.filter(Boolean));
 }
 
 function acknowledged(protocol, command, code) {

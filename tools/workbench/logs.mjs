@@ -16,9 +16,9 @@ const LISTED = 50;
  *   opened is called when a log is opened
  */
 export function logPanel(protocol, { show, device, opened }) {
-    const output = element("div", { class: "mip-log", role: "status" });
+    const output = element("div.mip-log", { role: "status" });
     const file = element("input", { type: "file", id: "mip-file", class: "mip-file" });
-    const chooser = element("span", { class: "mip-chooser" }, element("label", { for: "mip-file" }, "Log or recording"), file);
+    const chooser = element("span.mip-chooser", element("label", { for: "mip-file" }, "Log or recording"), file);
     let reading = 0; // the latest file
     const open = async (chosen) => {
         const mine = ++reading;
@@ -34,7 +34,7 @@ export function logPanel(protocol, { show, device, opened }) {
             };
             found = await survey(protocol, () => piecesOf(chosen), progress, device());
         } catch (error) {
-            output.replaceChildren(element("p", { class: "mip-wrong" }, `${chosen.name} cannot be read: ${error.message}.`));
+            output.replaceChildren(element("p.mip-wrong", `${chosen.name} cannot be read: ${error.message}.`));
             return;
         }
         const close = () => output.replaceChildren();
@@ -78,8 +78,7 @@ function logReport(protocol, file, found, show, device, close) {
     return [
         element("h2", file.name),
         element(
-            "p",
-            { class: "mip-summary" },
+            "p.mip-summary",
             `${summary}. `,
             copyButton("Copy the table", () =>
                 lines()
@@ -104,8 +103,7 @@ function logReport(protocol, file, found, show, device, close) {
             ),
         found.fields.some(({ rhythm }) => rhythm.rate) &&
             element(
-                "p",
-                { class: "mip-note" },
+                "p.mip-note",
                 `Rates and gaps are by the timestamps of the device; a gap is more than ${GAP} usual intervals. `,
                 "Fields without a rate are not regular, or have no timestamps.",
             ),
@@ -122,7 +120,7 @@ function timeReport(protocol, { spans, fields, read }) {
         if (valid === undefined || valid === times) continue;
         lines.push(`${field.title}: valid in ${Number(((100 * valid) / times).toPrecision(3))} % of ${times}.`);
     }
-    return lines.map((line) => element("p", { class: "mip-time" }, line));
+    return lines.map((line) => element("p.mip-time", line));
 }
 
 /** "2024-02-08T00:00:00.000Z to …; device clock 12.5 to 12.89 s, no date: not synchronized" */
@@ -182,8 +180,7 @@ function pages(protocol, file, found, show, device) {
     const step = (words, by) => element("button", { type: "button", onclick: () => go(at + by) }, words);
     number.addEventListener("change", () => go(pageOf(Number(number.value) - 1)));
     const section = element(
-        "details",
-        { class: "mip-pages" },
+        "details.mip-pages",
         element("summary", "Packets"),
         element(
             "p",

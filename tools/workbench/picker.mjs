@@ -20,7 +20,7 @@ export function picker(index, { id, label, choose, device = () => undefined, set
     const { protocol } = index;
     const input = element("input", { type: "search", id, autocomplete: "off", spellcheck: "false", "aria-describedby": `${id}-hint` });
     const hint = element("small", { id: `${id}-hint` }, "A name, a descriptor such as 0x0C28, a symbol in your program, or words");
-    const list = element("div", { class: "mip-hits", role: "status" });
+    const list = element("div.mip-hits", { role: "status" });
     const pick = (field, set) => {
         input.value = "";
         list.replaceChildren();
@@ -53,15 +53,15 @@ export function picker(index, { id, label, choose, device = () => undefined, set
         const own = found.filter(({ certainty }) => certainty !== undefined);
         const others = found.filter(({ certainty }) => certainty === undefined);
         const rows = (some) => some.slice(0, SHOWN).map(({ field, set, certainty }) => item(field, set, certainty));
-        const more = own.length > SHOWN && element("p", { class: "mip-note" }, `${own.length - SHOWN} more: type another word.`);
+        const more = own.length > SHOWN && element("p.mip-note", `${own.length - SHOWN} more: type another word.`);
         const nothing = input.value.trim() && !found.length && element("p", `Nothing found for “${input.value.trim()}”.`);
         const elsewhere = others.length > 0 && [
-            element("p", { class: "mip-note" }, `Not supported by the ${chosen.title}:`),
+            element("p.mip-note", `Not supported by the ${chosen.title}:`),
             element("ul", rows(others).slice(0, own.length ? 3 : SHOWN)),
         ];
         list.replaceChildren(...[own.length > 0 && element("ul", rows(own)), more, elsewhere, nothing].flat().filter(Boolean));
     };
-    const browse = element("details", { class: "mip-browse" }, element("summary", "Browse by set"));
+    const browse = element("details.mip-browse", element("summary", "Browse by set"));
     browse.addEventListener("toggle", () => {
         if (browse.open) browse.replaceChildren(browse.firstChild, ...setLists());
     });
@@ -93,7 +93,7 @@ export function picker(index, { id, label, choose, device = () => undefined, set
         hint,
     );
     input.addEventListener("input", update);
-    const root = element("div", { class: "mip-picker" }, form, list, browse);
+    const root = element("div.mip-picker", form, list, browse);
     root.addEventListener("keydown", (event) => stepThrough(event, input, list));
     const look = (text) => {
         input.value = text;

@@ -19,7 +19,7 @@ export function built(protocol, { set, entries }) {
 }
 
 export function report(protocol, { device, set, entries }, packet, to) {
-    if (packet.error) return [element("p", { class: "mip-wrong" }, `${packet.error.message}.`)];
+    if (packet.error) return [element("p.mip-wrong", `${packet.error.message}.`)];
     const sources = LANGUAGES.map(([key, title]) => {
         const text = sourceOf(packet.bytes, key);
         const copy = copyButton("Copy", () => text);
@@ -35,15 +35,14 @@ export function report(protocol, { device, set, entries }, packet, to) {
     return [
         element("h2", ...title),
         element(
-            "section",
-            { class: "mip-packet" },
-            element("p", { class: "mip-bytes" }, shown),
+            "section.mip-packet",
+            element("p.mip-bytes", shown),
             element("p", copies(part), ` ${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
             rows.length > 0 && valueTable(rows, "Bytes and parameters"),
         ),
         ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
         element("h3", "The packet in source code"),
-        element("dl", { class: "mip-bytes" }, sources),
+        element("dl.mip-bytes", sources),
     ];
 }
 
@@ -86,7 +85,7 @@ function programText(protocol, language, field, values) {
 function answerReport(protocol, field, values, to) {
     const { silent, acknowledge, responses, conditions } = answerOf(protocol, field, values);
     const unless = conditions.length ? ` There is no answer if ${conditions.join(" or ")}.` : "";
-    if (silent) return [element("h3", "Answer"), element("p", { class: "mip-answer" }, silent)];
+    if (silent) return [element("h3", "Answer"), element("p.mip-answer", silent)];
     const listed = responses.map(({ field: response, when, packet }) =>
         element(
             "li",
@@ -96,15 +95,14 @@ function answerReport(protocol, field, values, to) {
             when && `, if ${when}`,
             element("br"),
             "for example ",
-            element("code", { class: "mip-bytes" }, spacedHex(packet.bytes)),
+            element("code.mip-bytes", spacedHex(packet.bytes)),
             layoutTable(response),
         ),
     );
     return [
         element("h3", "Answer"),
         element(
-            "p",
-            { class: "mip-answer" },
+            "p.mip-answer",
             listed.length ? "The acknowledge, directly followed by a response in the same packet:" : "The acknowledge: ",
             !listed.length && element("code", spacedHex(acknowledge.bytes)),
             !listed.length && unless,

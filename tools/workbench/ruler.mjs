@@ -35,7 +35,7 @@ export function ruler({ bytes, kind, fields }) {
     }
     if (kind === "packet" || kind === "damaged") until(bytes.length - 2, { class: "mip-rest" });
     until(bytes.length, { class: "mip-frame", title: kind === "incomplete" ? "The rest" : "Checksum" });
-    return element("code", { class: "mip-packet-bytes" }, ...pieces.flatMap((piece, i) => (i ? [" ", piece] : [piece])));
+    return element("code.mip-packet-bytes", ...pieces.flatMap((piece, i) => (i ? [" ", piece] : [piece])));
 }
 
 /** Highlights bytes and rows that belong together, in a part of a page. */
@@ -68,10 +68,10 @@ export function valueTable(rows, label) {
 const CHOOSE = " Depends on the device; choose one above.";
 
 function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, byDevice, colour }) {
-    const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", name)]];
+    const value = [element("span.mip-number", text), unit && ` ${unit}`, name && [" ", element("code", name)]];
     const shownFlags = flags?.flatMap((flag, i) => [
         i ? ", " : "",
-        element("span", { class: "mip-flag", title: flag.named?.description ?? flag.bits?.description }, flagText(flag)),
+        element("span.mip-flag", { title: flag.named?.description ?? flag.bits?.description }, flagText(flag)),
     ]);
     return element(
         "tr",
@@ -107,8 +107,7 @@ export function rowText({ text, unit, name, flags, meaning }) {
 
 export function copies(part) {
     return element(
-        "span",
-        { class: "mip-copies" },
+        "span.mip-copies",
         copyButton("Copy bytes", () => spacedHex(part.bytes)),
         " ",
         copyButton("Copy as text", () => textOf(part)),

@@ -56,7 +56,7 @@ export function ratesOf(text) {
  * @param changed is called when the choice changes
  */
 export function streamChooser(protocol, state, to, changed) {
-    const root = element("div", { class: "mip-streams" });
+    const root = element("div.mip-streams");
     let rows = [];
     const tell = () => {
         // Rates of fields that the chosen device does not support stay in the address.
@@ -117,7 +117,7 @@ function streamRow(protocol, device, field, { set, base }, held, changed, to) {
         "aria-label": `Rate of ${field.title} in Hz`,
     });
     const wanted = () => Number(input.value);
-    const text = element("td", { class: "mip-rate" });
+    const text = element("td.mip-rate");
     const row = {
         name,
         set,

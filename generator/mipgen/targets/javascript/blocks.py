@@ -96,27 +96,20 @@ def object_key(name: str) -> str:
 def reading(f: m.Field) -> list[tuple[str, str]]:
     """Returns the members of data that consists of numbers and vectors at fixed offsets, and what reads each; none for
     other data."""
-    own = runs(f) if f.role == m.DATA else []
-    if not all(_straight(r.parameter) and len(r.path) == 1 for r in own):
-        return []
-    return [(member(r.parameter.name), _read(r.parameter, home(f), str(r.offset))) for r in own]
-
-
-def _straight(p: m.Parameter) -> bool:
-    return p.reserved is None and (p.kind == "scalar" or p.vector is not None)
-
-
-def _read(p: m.Parameter, where: str, at: str) -> str:
-    return f"{reference(p.vector, where) if p.vector else scalar(p.scalar)}(reader, {at})"
-
-
-def offset(number: int) -> str:
-    return f"at + {number}" if number else "at"
+    found = []
+    for r in runs(f) if f.role == m.DATA else ():
+        p = r.parameter
+        if p.reserved is not None or len(r.path) > 1 or not (p.vector or p.kind == "scalar"):
+            return []
+        block = reference(p.vector, home(f)) if p.vector else scalar(p.scalar)
+        found.append((member(p.name), f"{block}(reader, {r.offset})"))
+    return found
 
 
 def vector(t: m.Vector) -> str:
     """Writes the block of a vector."""
-    items = [f"{scalar(t.scalar)}(reader, {offset(i * t.scalar.size)})" for i in range(len(t.elements))]
+    offsets = ("at", *(f"at + {i * t.scalar.size}" for i in range(1, len(t.elements))))
+    items = [f"{scalar(t.scalar)}(reader, {at})" for at in offsets]
     lines = f"[{', '.join(items)}]" if len(items) < 4 else "[" + "".join(f"\n    {x}," for x in items) + "\n]"
     return call("vector", f"(reader, at) => {lines}")
 
