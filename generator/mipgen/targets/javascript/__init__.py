@@ -33,12 +33,11 @@ def files(model: m.Model) -> Iterator[File]:
     programs = ("quickstart.mjs", "live.mjs", "typed.mts", "decode_log.mjs")
     shown = {name.partition(".")[0]: model.program(name).rstrip() for name in programs}
     yield File("README.md", "README.md.j2", {"package": view, **shown})
-    for name in names.GENERATED:
-        yield File(f"{name}.mjs", f"{name}.mjs.j2", {"package": view})
-        yield File(f"{name}.d.mts", f"{name}.d.mts.j2", {"package": view})
-    for x in view.families:
-        yield File(f"{x.module}.mjs", "set.mjs.j2", {"family": x}, x.family)
-        yield File(f"{x.module}.d.mts", "set.d.mts.j2", {"family": x}, x.family)
+    for end, declared in (("mjs", False), ("d.mts", True)):
+        for name in names.GENERATED:
+            yield File(f"{name}.{end}", f"{name}.j2", {"package": view, "declared": declared})
+        for x in view.families:
+            yield File(f"{x.module}.{end}", "set.j2", {"family": x, "declared": declared}, x.family)
 
 
 # --------------------------------------------------------------------------- identifiers

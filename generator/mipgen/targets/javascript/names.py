@@ -45,7 +45,7 @@ def _listed(path: str, list_: str) -> list[str]:
 
 #: Names that all objects have, and names that declarations import.
 _MEMBERS = _listed("runtime/javascript/mip/naming.mjs", r"const TAKEN = new Set\(\[(.*?)\]\)")
-_CLASSES = _listed("templates/javascript/set.d.mts.j2", r"import type \{(.*?)\}")
+_CLASSES = _listed("templates/javascript/set.j2", r"import type \{(.*?)\}")
 
 _constant = Escape(frozenset(), digit_prefix="N")
 _member = Escape(frozenset(_MEMBERS))
