@@ -202,12 +202,6 @@ impl<T, const N: usize> AsRef<[T]> for List<T, N> {
     }
 }
 
-impl<T, const N: usize> AsMut<[T]> for List<T, N> {
-    fn as_mut(&mut self) -> &mut [T] {
-        self
-    }
-}
-
 impl<T: fmt::Debug, const N: usize> fmt::Debug for List<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.as_slice().fmt(f)

@@ -164,12 +164,6 @@ macro_rules! bit_sets {
                 *self = self.difference(bits);
             }
 
-            /// Sets or clears these bits.
-            #[inline]
-            pub fn set(&mut self, bits: Self, value: bool) {
-                *self = if value { self.union(bits) } else { self.difference(bits) };
-            }
-
             /// Returns the bits that are set in either.
             #[inline]
             #[must_use]

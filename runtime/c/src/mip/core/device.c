@@ -19,25 +19,19 @@ void mip_device_begin(struct mip_device *device, const struct mip_port *port, si
 /* No field has descriptor 0. */
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
+/** May a handler want a field with this descriptor, modulo 32? Most others then cost little. */
+static bool wanted(struct mip_device *device, uint8_t descriptor) {
 #ifdef MIP_PARSER_FAST
-/** Notes which descriptors, modulo 32, the handlers may want, so that other fields cost little. */
-static void select_fields(struct mip_device *device) {
     if (device->selected != device->handler_count) { /* C++ adds handlers one by one */
-        const struct mip_handler *h = device->handlers;
         device->selected = device->handler_count;
         device->descriptors = 0;
-        for (size_t left = device->handler_count; left > 0; left--, h++) {
-            device->descriptors |= h->type != NULL && h->type->descriptor != 0
-                                       ? UINT32_C(1) << (h->type->descriptor & 31)
+        for (size_t i = 0; i < device->handler_count; i++) {
+            const struct mip_codec *const type = device->handlers[i].type;
+            device->descriptors |= type != NULL && type->descriptor != 0
+                                       ? UINT32_C(1) << (type->descriptor & 31)
                                        : UINT32_MAX; /* an empty entry may be filled later */
         }
     }
-}
-#endif
-
-/** May a handler want a field with this descriptor? */
-static bool wanted(const struct mip_device *device, uint8_t descriptor) {
-#ifdef MIP_PARSER_FAST
     return (device->descriptors >> (descriptor & 31) & 1) != 0;
 #else
     (void)device, (void)descriptor;
@@ -99,9 +93,6 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     }
     device->packet = packet;
     observe(device, false);
-#ifdef MIP_PARSER_FAST
-    select_fields(device);
-#endif
     while (mip_client_next(&device->client, &walk, &answered, &field)) {
         if (answered == NULL && wanted(device, field.descriptor)) {
             dispatch(device, &field);
