@@ -72,6 +72,7 @@ class _File:
     def __init__(self, out: IO[bytes], about: dict[str, str]) -> None:
         self._records = require("mcap")
         self._builder = import_module("mcap.data_stream").RecordBuilder
+        self._compress = import_module("zstandard").ZstdCompressor(level=1).compress
         self._out, self._size = out, 0  # also of a pipe, which does not know its position
         self._schemas: list[Any] = []
         self._channels: list[Any] = []
@@ -142,7 +143,7 @@ class _File:
         index = np.empty((len(heads), 2), "<u8")
         index[:, 0] = heads["logged"]
         index[:, 1] = len(self._new) + np.cumsum(heads["size"] + 9) - heads["size"] - 9
-        packed = import_module("zstandard").compress(content)
+        packed = self._compress(content)
         begin, end = int(index[:, 0].min()), int(index[:, 0].max())
         chunk = self._encoded(
             self._records.Chunk(

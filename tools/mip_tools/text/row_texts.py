@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -20,15 +21,15 @@ if TYPE_CHECKING:
 
 #: A format, and an array for each of its arguments, with an item for each row.
 Texts = tuple[str, list[Array]]
-#: From so many rows on, pyarrow is faster, even if it is not imported yet.
-_MANY = 4096
+#: From so many rows on, pyarrow is faster, even if it is not imported yet, and if it is.
+_MANY, _SOME = 4096, 200
 
 
 def formatted_rows(template: str, values: list[Array], count: int) -> list[bytes]:
     """Formats each row; with pyarrow, several times as fast."""
     if not values:
         return [(template % ()).encode()] * count
-    pa = pyarrow() if count >= _MANY else None
+    pa = pyarrow() if count >= (_SOME if "pyarrow" in sys.modules else _MANY) else None
     if pa is None:
         return [text.encode() for text in map(template.__mod__, zip(*map(_items, values)))]
     first, *others = (between.replace("%%", "%") for between in re.split("%[rds]", template))
