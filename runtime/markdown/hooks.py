@@ -18,11 +18,12 @@ from typing import Any
 from mkdocs.structure.files import File
 
 _ANCHORED = re.compile(r'^<a id="([^"]+)"></a>\n\n(#+ .*)$', re.M)
-_PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</summary>\n(.*?)</details>\n', re.S)
 #: Programs one after the other, one in each language.
 _PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
 #: A program in one language, and the page with the others.
-_SAME = re.compile(r"^(```python\n(?:(?!```).*\n)*```\n)\n`([\w.]+)` is also in the listings for \[C\]\(([^)#]+)#.*\n", re.M)
+_SAME = re.compile(
+    r"^(```python\n(?:(?!```).*\n)*```\n)\n`([\w.]+)` is also in the listings for \[C\]\(([^)#]+)#.*\n", re.M
+)
 #: The name of a program in a listing of several.
 _NAME = re.compile(r"^(?://|/\*) ([\w.]+)(?: \*/)?\n", re.M)
 #: The last section of the page of a field, which is folded: what it has, and its lines.
@@ -99,7 +100,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         page.meta.setdefault("hide", ["toc"])
     text = _SAME.sub(lambda match: _languages(match, Path(page.file.abs_src_path).parent), text)
     text = _EVIDENCE.sub(r'\1<details markdown="1">\n<summary>\2</summary>\n\n\3\n</details>\n', text)
-    return _PROGRAMS.sub(_tabs, _PROGRAM.sub(_tab, text))
+    return _PROGRAMS.sub(_tabs, text)
 
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
@@ -235,10 +236,6 @@ def _languages(match: re.Match[str], folder: Path) -> str:
         own = dict(zip(parts[::2], parts[1::2], strict=True))[name]
         fences[language] = f"```{language}\n{(before.strip() + chr(10)).lstrip()}{own.strip()}\n```\n"
     return "".join(fences[language] for language in _LANGUAGES)
-
-
-def _tab(match: re.Match[str]) -> str:
-    return f'=== "{match[1]}"\n\n{textwrap.indent(match[2].strip(), "    ")}\n'
 
 
 def _tabs(match: re.Match[str]) -> str:

@@ -117,7 +117,7 @@ def test_site_builds(spec: str) -> None:
         assert not re.search(r"<th[^>]*>\s*</th>", page), path
         if '<div class="filter' in text:
             assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
-        programs = re.findall(r'^<details class="program"', text, re.M)
+        programs = []
         if path.startswith("programs."):
             programs += re.findall(r"^```(?:c|cpp|python|rust|javascript)$", text, re.M)
         elif path.startswith(("fields/", "guides/")):  # the site has all languages

@@ -31,7 +31,8 @@ class Start:
 
 STARTS = (
     Start(
-        "Python", "python", "first.py", "first.py", "pip install ../mipgen/generated/python",
+        "Python", "python", "first.py", "first.py",
+        "python3 -m venv .venv && . .venv/bin/activate\npip install ../mipgen/generated/python",
         "python first.py localhost:5005",
         "Python 3.10 or later. A serial port also needs `pip install pyserial`.",
     ),
