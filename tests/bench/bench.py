@@ -28,11 +28,8 @@ def main() -> None:
     if given.part == "generate":
         bench_generate.report()
         return
-    if given.part == "columns":
-        print(bench_columns.report())
-        return
-    if given.part == "javascript":
-        print(bench_javascript.report())
+    if given.part in ("columns", "javascript"):
+        print(bench_columns.report() if given.part == "columns" else bench_javascript.report())
         return
     if given.peer:
         text = bench_c_peer.report(given.peer) + bench_c_board.report(given.peer, bench_c_peer.name(given.peer))

@@ -116,8 +116,7 @@ function decodedByHand({ view, at }) {
         if (view.getUint8(field) < 2 || field + view.getUint8(field) > end) throw new Error("length");
         const data = field + 2;
         const descriptor = view.getUint8(field + 1);
-        if (descriptor === 0xd5) fields.push({ set, nanoseconds: view.getBigUint64(data) });
-        else if (descriptor === 0xd6) fields.push({ set, nanoseconds: view.getBigUint64(data) });
+        if (descriptor === 0xd5 || descriptor === 0xd6) fields.push({ set, nanoseconds: view.getBigUint64(data) });
         else if (set === 0x80 && descriptor === 0x04) fields.push({ set, scaledAccel: vector(view, data) });
         else if (set === 0x80 && descriptor === 0x05) fields.push({ set, scaledGyro: vector(view, data) });
         else if (set === 0x80 && descriptor === 0x06) fields.push({ set, scaledMag: vector(view, data) });

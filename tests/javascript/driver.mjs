@@ -43,12 +43,11 @@ function* namesIn({ parameters }) {
 /** Returns values with the members as names, or the names as members. */
 function renamed(kind, values, names) {
     const pairs = [...namesIn(protocol.field(kind.NAME))].map((name) => [name, memberName(name)]);
-    const found = new Map(pairs.map(([name, member]) => (names ? [name, member] : [member, name])));
+    const found = new Map(names ? pairs : pairs.map(([name, member]) => [member, name]));
     const walk = (value) => {
         if (Array.isArray(value)) return value.map(walk);
         if (typeof value !== "object" || value === null) return value;
-        const entries = Object.entries(value).map(([key, inner]) => [found.get(key) ?? `no ${key}`, walk(inner)]);
-        return Object.fromEntries(entries);
+        return Object.fromEntries(Object.entries(value).map(([key, inner]) => [found.get(key) ?? `no ${key}`, walk(inner)]));
     };
     return walk(values);
 }

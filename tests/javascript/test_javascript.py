@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 from mipgen import model as m
@@ -27,6 +28,14 @@ def node(*arguments: str | Path, **environment: str) -> str:
     return done.stdout
 
 
+def answers(script: str, spec: str, text: str) -> Any:
+    """What a script with the modules of a specification answers to a text, as JSON."""
+    command = [need("node"), ROOT / "tests/javascript" / script, SPECS[spec][1] / "javascript"]
+    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
 @small("the real modules of JavaScript")
 def test_unit(spec: str) -> None:
     said = node("--test", ROOT / "tests/javascript/unit.test.mjs", FOLDER=str(SPECS[spec][1] / "javascript"))
@@ -39,15 +48,19 @@ def test_every_field_as_json_and_as_a_clone(spec: str) -> None:
     of = model(spec)
     fields = [(f, codec.encode(f, values)) for f in of.fields for values in drawn(f, rounds(4, 40))]
     lines = "".join(f"{f.full_name} {data.hex()}\n" for f, data in fields)
-    command = [need("node"), ROOT / "tests/javascript/json.mjs", SPECS[spec][1] / "javascript"]
-    done = subprocess.run(command, input=lines, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
     texts = ""
-    for (f, data), (back, clone, text) in zip(fields, json.loads(done.stdout), strict=True):
+    for (f, data), (back, clone, text) in zip(fields, answers("json.mjs", spec, lines), strict=True):
         assert back == data.hex(), (f.full_name, text)
         assert clone == data.hex() or '"0x' in text, f.full_name
         texts += text
     assert re.search(r':"\d{18,}"', texts) and re.search(r'"0x7f[89a-f]', texts)
+
+
+def test_the_field_to_blame_for_a_rejection() -> None:
+    """By the cases that all languages share."""
+    text = (ROOT / "tests/rejected.json").read_text("utf-8")
+    found = zip(json.loads(text), answers("rejected.mjs", "real", text), strict=True)
+    assert [(c["title"], c["cause"], x) for c, x in found if c["cause"] != x] == []
 
 
 def test_devices_at_their_worst() -> None:
@@ -101,12 +114,6 @@ def test_a_program_reads_a_log(tmp_path: Path) -> None:
     assert said.endswith("8 bytes between packets\n")
 
 
-def test_typescript_of_the_readme() -> None:
-    """`test_types.py` compiles it."""
-    typed = (ROOT / "examples/typed.mts").read_text("utf-8")
-    assert f"```typescript\n{typed}```" in (GENERATED / "README.md").read_text("utf-8")
-
-
 def test_the_package_is_complete() -> None:
     about = json.loads((GENERATED / "package.json").read_text("utf-8"))
     assert about["engines"] == {"node": ">=18"}
@@ -151,3 +158,6 @@ def test_every_export_is_in_the_readme() -> None:
     assert len(names) > 10
     for name in names:
         assert re.search(rf"\b{name}\b", readme), name
+    assert (
+        f"```typescript\n{(ROOT / 'examples/typed.mts').read_text('utf-8')}```" in readme
+    )  # which test_types.py compiles

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import random
-import subprocess
 from collections.abc import Iterable
-from pathlib import Path
 from typing import Any
 
 import random_values
+from javascript.test_javascript import answers as of_script
 from mipgen.lower import codec
 from packages import mip, real
-from support import SEED, SPECS, model, need, small, uses
+from support import SEED, model, small, uses
 from timed_packets import cases_of_devices, leap_seconds, packet, random_packet
 
 pytestmark = uses("node")
@@ -22,12 +20,7 @@ PACKAGES = {"real": real, "invented": mip}
 def answers(spec: str, packets: Iterable[tuple[bytes | str, str | None]]) -> list[dict[str, Any]]:
     words = ((x if isinstance(x, str) else x.hex(), device or "") for x, device in packets)
     lines = "".join(" ".join(line).rstrip() + "\n" for line in words)
-    script = Path(__file__).with_name("times.mjs")
-    command = [need("node"), script, SPECS[spec][1] / "javascript"]
-    done = subprocess.run(command, input=lines, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    found: list[dict[str, Any]] = json.loads(done.stdout)
-    return found
+    return list(of_script("times.mjs", spec, lines))
 
 
 @small("the real modules of JavaScript")

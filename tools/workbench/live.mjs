@@ -78,7 +78,6 @@ class Live {
     #layOut(root, options) {
         const button = (words, onclick, more = {}) =>
             element("button", { type: "button", onclick: () => onclick.call(this), ...more }, words);
-        const say = (...words) => this.#say(...words);
         const state = this.#state;
         const serve = element("input", {
             type: "url",
@@ -182,7 +181,7 @@ class Live {
             send: (packet) => this.#send(packet),
         });
         this.#useDevice(deviceOf(this.#protocol, state.get("device")));
-        navigator.serial?.addEventListener?.("disconnect", () => say("A serial port was unplugged."));
+        navigator.serial?.addEventListener?.("disconnect", () => this.#say("A serial port was unplugged."));
         this.#timer = setInterval(() => this.#show(), TURN);
         let drawn = 0;
         const frame = (time) => {

@@ -65,18 +65,15 @@ export interface Bitfield<T> {
 
 // ---------------------------------------------------------------------------------------------------- fields
 
-/** The class of a field. */
+/** The class of a field; `Field` describes its members. */
 export interface FieldClass<F extends Field = Field> {
     new (values: never): F;
-    /** Its name in the specification: "base.ping". */
     readonly NAME: string;
-    /** The only descriptor set in which it occurs; undefined if there are several. */
     readonly SET: number;
     readonly SETS: { includes(set: number): boolean };
     readonly DESCRIPTOR: number;
     readonly ROLE: "command" | "response" | "data";
     occursIn(set: number): boolean;
-    /** Can this be the field's data? Checks what distinguishes a descriptor's layouts. */
     matches(data: Uint8Array): boolean;
 }
 
