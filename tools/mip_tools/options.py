@@ -31,7 +31,8 @@ def add_selection(parser: argparse.ArgumentParser) -> None:
 
 
 def add_device(
-    parser: argparse.ArgumentParser, use: str = "the model, instead of the one that the device reports; `mip simulate --list` lists them"
+    parser: argparse.ArgumentParser,
+    use: str = "the model, instead of the one that the device reports; `mip simulate --list` lists them",
 ) -> None:
     """Adds the option that names a device; its value is the id."""
     parser.add_argument("--device", type=lambda name: device_named(name).id, metavar="DEVICE", help=use)
