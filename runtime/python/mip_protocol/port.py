@@ -119,6 +119,8 @@ def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:
     number = getattr(error, "errno", None)
     if number in (errno.EAGAIN, errno.EBUSY):  # from the lock, from the driver
         number, why = errno.EBUSY, IN_USE
+    elif isinstance(error, socket.gaierror):  # whose numbers and texts vary between systems
+        number, why = None, "unknown host"
     else:  # without pyserial's text, which repeats the port's name
         why = os.strerror(number) if number else str(error)
     kind = "port" if isinstance(error, OSError) else "url"

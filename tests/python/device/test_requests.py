@@ -540,6 +540,11 @@ def test_ports_that_cannot_be_opened(kind: Kind, url: str, number: int | None, m
     assert (error.errno, error.kind, str(error)) == (number, "port" if number else "url", str(caught.value))
 
 
+def test_a_host_that_is_unknown(kind: Kind) -> None:
+    with pytest.raises(mip.PortError, match=r"^port: nohost.invalid:1 cannot be opened: unknown host$|^nohost.*host$"):
+        kind.open("nohost.invalid:1")
+
+
 def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
     with pytest.raises(TypeError, match="it needs `read` and `write`"):
         kind.at(object())

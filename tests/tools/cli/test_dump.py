@@ -59,6 +59,7 @@ def test_what_is_wrong_with_a_packet() -> None:
         (ACCEL[:-1].split(), "'E' is not a byte in hexadecimal, which has two digits"),
         ([ACCEL[:-1]], "'E' is not a byte in hexadecimal, which has two digits"),
         (ACCEL.replace("80", "zz").split(), "'zz' is not a byte in hexadecimal, which has two digits"),
+        (["7565zz"], "'zz' is not hexadecimal"),
         ([ACCEL.replace(" ", "")[:-1]], "an odd number of hexadecimal digits; each byte needs two"),
     ],
 )

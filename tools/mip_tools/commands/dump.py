@@ -148,7 +148,10 @@ def _check(arguments: list[str]) -> None:
     bad = [w for w in words if not re.fullmatch(r"(?i)(?:0x)?(?:[0-9a-f]{2})+", w)]
     if bad and len(words) > 2 * len(bad) + 1 and not any(map(inputs.exists, arguments)):
         raise Misuse(f"'{bad[0]}' is not a byte in hexadecimal, which has two digits")
-    if len(bad) == len(words) == 1 and re.fullmatch(r"(?i)7565[0-9a-f]+", bad[0]):
+    if len(bad) == len(words) == 1 and re.fullmatch(r"(?i)7565[0-9a-z]+", bad[0]) and not inputs.exists(bad[0]):
+        wrong = re.search(r"(?i)[g-z]+", bad[0])
+        if wrong:
+            raise Misuse(f"'{wrong[0]}' is not hexadecimal")
         raise Misuse("an odd number of hexadecimal digits; each byte needs two")
 
 
