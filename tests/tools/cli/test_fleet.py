@@ -162,14 +162,13 @@ def test_workers_and_the_parent_are_killed(tmp_path: Path) -> None:
         if turn % 2 and victims:  # a worker: the run goes on without it
             random_.choice(victims).kill()
             assert started.wait(120) == 0
+            assert_complete(out, folder)
+            shutil.rmtree(out)
         else:  # the parent: its workers end by themselves
             started.kill()
             started.wait(10)
             psutil.wait_procs(family, 20)
             assert not [one for one in family if one.is_running() and one.status() != "zombie"]
-        if turn % 2:
-            assert_complete(out, folder)
-            shutil.rmtree(out)
     assert subprocess.run([sys.executable, "-c", PROGRAM, folder, out], env=ENVIRONMENT).returncode == 0
     assert_complete(out, folder)
 
