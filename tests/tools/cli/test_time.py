@@ -455,8 +455,8 @@ STATUS = {
         "dump LOG", "dump LOG --tree", "dump LOG --json", "dump - --json", "monitor - --duration 1", "info LOG",
         "doctor LOG",
         "export LOG -o - --names", "export - -o - --names --format jsonl", "stream LOG --names",
-        "export LOG -o OUT.mcap --names",
         "stream LOG --names --format csv", "export LOG -o OUT.parquet --names",
+        pytest.param("export LOG -o OUT.mcap --names", marks=heavy("mcap")),
     ],
 )  # fmt: skip
 def test_a_device_is_recognized_alike_by_all_commands(words: str, fields: str, tmp_path: Path) -> None:
