@@ -191,7 +191,7 @@ def test_urls_and_what_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     assert_complete(tmp_path / "out", tmp_path / "logs")
     with pytest.raises(Misuse, match=r"both called drive0\.bin"):
         fleet.build_dataset([tmp_path / "logs/a", f"{store}/a"], tmp_path / "out")
-    with pytest.raises(Misuse, match=r"s3://bucket/out: a data set is made in a folder"):
+    with pytest.raises(Misuse, match=r"s3://bucket/out: Install s3fs"):
         fleet.build_dataset(store, "s3://bucket/out")
 
     def unreachable(*_: Any) -> bool:
@@ -202,6 +202,36 @@ def test_urls_and_what_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
         fleet.build_dataset(store, tmp_path / "out")
     with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is active"):
         fleet.build_dataset(tmp_path / "logs", tmp_path / "out")
+
+
+@heavy("workers")
+def test_a_data_set_in_a_store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is extended as one in a folder. If not all files of a run can be sent, the manifest is the earlier one."""
+    memory = later("fsspec").filesystem("memory")
+    top = f"/{tmp_path.name}/data"
+    url, folder = f"memory:/{top}", logs(tmp_path / "logs", 2)
+    assert len(fleet.build_dataset(folder / "car 0", url, workers=1).added) == 1
+    before = memory.cat_file(f"{top}/{dataset.MANIFEST}")
+    put = type(memory).put_file
+
+    def full(self: Any, source: str, place: str) -> None:
+        if place.endswith(dataset.CATALOGUE):
+            raise OSError("no space")
+        put(self, source, place)
+
+    with monkeypatch.context() as broken:
+        broken.setattr(type(memory), "put_file", full)
+        with pytest.raises(Failure, match=f"^{url} cannot be written: no space$"):
+            fleet.build_dataset(folder / "car 1", url, workers=1)
+    assert memory.cat_file(f"{top}/{dataset.MANIFEST}") == before
+    status, text, _ = mip("fleet", folder / "car 1", "-o", url, "--workers", "1")
+    assert status == 0 and text.startswith(f"{url}: 1 log added, 0 known, 0 failed; ") and " of 2 logs in " in text
+    assert not fleet.build_dataset([folder / "car 0", folder / "car 1"], url, workers=1).added
+    memory.get(f"{top}/", f"{tmp_path}/out/", recursive=True)
+    wanted = {(*key[:2], Path(key[2]).name): len(table) for key, table in expected(folder).items()}
+    assert {key: len(table) for key, table in rows(tmp_path / "out").items()} == wanted
+    catalogue = fleet.open(tmp_path / "out").catalogue()
+    assert set(catalogue["log"].to_pylist()) == {key[2] for key in wanted}
 
 
 def test_names_of_logs(tmp_path: Path) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 
-from ..errors import Misuse
 from ..files import outputs, signals
 from ..fleet import build_dataset
 from ..names.selection import Selection
@@ -17,7 +16,7 @@ examples:
   mip fleet logs -o data                                 all *.bin in a folder and its subfolders
   mip fleet logs -o data                                 again: adds new logs
   mip fleet logs -o data --only sensor,filter_data
-  mip fleet s3://bucket/logs -o data                     needs s3fs
+  mip fleet s3://bucket/logs -o s3://bucket/data         needs s3fs
 
 The data set has a folder for each clock and each field, data/clock=gps/field=NAME, with the rows
 and columns of `mip export` for that field, plus `log` and `device`. data/_manifest.json lists the
@@ -33,7 +32,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("logs", nargs="+", metavar="LOGS", help="folders, logs, or URLs of either")
-    add("-o", "--output", required=True, metavar="FOLDER", help="the data set, which is created or extended")
+    add(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FOLDER",
+        help="the data set, a folder or a URL, which is created or extended",
+    )
     add("--pattern", default="*.bin", help="names of the logs in a folder (default: %(default)s)")
     add("--only", action="append", default=[], metavar="NAME,...", help="only these fields or sets")
     add(
@@ -47,8 +52,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    if "://" in options.output:
-        raise Misuse(f"{options.output} is not a folder of this machine; write to one, and copy it to the store")
     Selection(options.only)  # a wrong name is an error of the command line, not of each log
 
     def progress(done: int, of: int, what: str) -> None:

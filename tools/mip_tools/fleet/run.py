@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from .. import __version__, binding
-from ..errors import Failure, Misuse
-from . import dataset
+from ..errors import Failure
+from . import dataset, store
 from .sources import Log, find_logs, is_url
 from .workers import decoded
 
@@ -40,17 +40,27 @@ def build_dataset(
     workers: int | None = None,
     progress: Progress = lambda done, of, what: None,
 ) -> Built:
-    """Adds logs to the data set in the folder `out`, which is created if it does not exist.
+    """Adds logs to the data set in `out`, a folder or a URL, which is created if it does not exist.
 
     `sources` are logs, folders of logs, or URLs of either. `only` names fields and sets; by default, all data are in
     the data set. `device` is the id of the device whose flags are read, by default the one that the log names.
     `workers` is the number of processes, by default one for each core.
 
-    Raises Misuse if `out` is a URL, Failure if the folder cannot be written, is used by another run, or was made with
-    other options.
+    Raises Misuse if the package for a URL is missing, Failure if the folder cannot be written, is used by another run,
+    or was made with other options.
     """
     if is_url(os.fspath(out)):
-        raise Misuse(f"{out}: a data set is made in a folder, which you can copy to the store when it is complete")
+        with store.staged(os.fspath(out)) as stage:
+            return build_dataset(
+                sources,
+                stage,
+                only=only,
+                pattern=pattern,
+                invalid=invalid,
+                device=device,
+                workers=workers,
+                progress=progress,
+            )
     try:
         from .decode import Work
     except ImportError as error:

@@ -56,7 +56,7 @@ class Log:
     def _opened(self) -> IO[bytes]:
         if not self.remote:
             return open(self.place, "rb")
-        system, path = _system(self.place)
+        system, path = file_system(self.place)
         return cast(IO[bytes], system.open(path, "rb"))
 
 
@@ -83,13 +83,8 @@ def is_url(place: str) -> bool:
 
 def _in(source: str, pattern: str) -> Iterator[Log]:
     if is_url(source):
-        try:
+        with store_errors(source, "read"):
             yield from _in_store(source, pattern)
-        except Failure:
-            raise
-        except Exception as error:  # each store has its own kinds of errors
-            reason = str(error).splitlines() or [type(error).__name__]
-            raise Failure(f"{source} cannot be read: {reason[0]}") from None
         return
     place = Path(source)
     if not place.is_dir():
@@ -103,7 +98,7 @@ def _in(source: str, pattern: str) -> Iterator[Log]:
 
 
 def _in_store(source: str, pattern: str) -> Iterator[Log]:
-    system, top = _system(source)
+    system, top = file_system(source)
     if not system.isdir(top):
         yield Log(PurePosixPath(top).name, source)
         return
@@ -113,7 +108,19 @@ def _in_store(source: str, pattern: str) -> Iterator[Log]:
             yield Log(name, system.unstrip_protocol(path))
 
 
-def _system(url: str) -> tuple[Any, str]:
+@contextmanager
+def store_errors(url: str, what: str) -> Iterator[None]:
+    """Words the errors of a store, of which each has its own kinds. Raises Failure."""
+    try:
+        yield
+    except (Failure, Misuse):
+        raise
+    except Exception as error:
+        reason = str(error).splitlines() or [type(error).__name__]
+        raise Failure(f"{url} cannot be {what}: {reason[0]}") from None
+
+
+def file_system(url: str) -> tuple[Any, str]:
     """Returns the file system of a URL, and the path in it. Raises Misuse if its package is not installed."""
     try:
         return cast(tuple[Any, str], import_module("fsspec.core").url_to_fs(url))
