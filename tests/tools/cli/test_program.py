@@ -98,7 +98,6 @@ MISUSE = (
         ("dump LOG --only sensr", "dump: 'sensr' is not a field; "),
         ("dump LOG --only 0x80:256", "dump: '0x80:256' has a number above 255; use 0 to 255"),
         *((f"{words} --device gx5", f"{words.split()[0]}: 'gx5' is not a device; ") for words in OF_A_DEVICE),
-        ("fleet FOLDER -o s3://bucket/data", "fleet: s3://bucket/data is not a folder of this machine; write to one"),
         ("simulate gx5", "simulate: 'gx5' is not a device; "),
         ("cut LOG -o FOLDER", "cut: FOLDER is a folder; name a file in it"),
         ("cut LOG -o NOWHERE/x", "cut: NOWHERE/x cannot be written: No such file or directory"),

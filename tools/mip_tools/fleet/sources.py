@@ -13,6 +13,7 @@ from importlib import import_module
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, cast
 
+from ..binding import MissingExtra
 from ..errors import Failure, Misuse
 
 #: The number of bytes at the beginning and at the end of a log that, with its size, identify it.
@@ -123,6 +124,10 @@ def store_errors(url: str, what: str) -> Iterator[None]:
 def file_system(url: str) -> tuple[Any, str]:
     """Returns the file system of a URL, and the path in it. Raises Misuse if its package is not installed."""
     try:
-        return cast(tuple[Any, str], import_module("fsspec.core").url_to_fs(url))
+        core = import_module("fsspec.core")
+    except ImportError:
+        raise Misuse(f"{url}: {MissingExtra('fsspec', 'fleet')}") from None
+    try:
+        return cast(tuple[Any, str], core.url_to_fs(url))
     except (ImportError, ValueError) as error:
         raise Misuse(f"{url}: {error}") from None
