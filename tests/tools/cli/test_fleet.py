@@ -155,7 +155,8 @@ def test_workers_and_the_parent_are_killed(tmp_path: Path) -> None:
             [sys.executable, "-c", PROGRAM, folder, out], env=ENVIRONMENT, stderr=subprocess.DEVNULL
         )
         process = psutil.Process(started.pid)
-        until(lambda turn=turn: any(out.glob("_work/*.*/*" if turn % 2 else "_work/*.*")))
+        at_work = "_work/*.*/*" if turn % 2 else "_work/*.*"
+        until(lambda run=started, place=at_work: any(out.glob(place)) or run.poll() is not None)  # it may have ended
         time.sleep(random_.random() * 0.5)
         family = process.children(recursive=True) if started.poll() is None else []
         victims = [one for one in family if "spawn_main" in " ".join(cmdline(one))]
