@@ -26,8 +26,6 @@ _SAME = re.compile(
 )
 #: The name of a program in a listing of several.
 _NAME = re.compile(r"^(?://|/\*) ([\w.]+)(?: \*/)?\n", re.M)
-#: The last section of the page of a field, which is folded: what it has, and its lines.
-_EVIDENCE = re.compile(r"^(## Evidence\n\n)(.+)\.\n\n((?:- .*\n)+)", re.M)
 _FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
 _LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
 #: A packet byte by byte, and a row of a table to which its parts link.
@@ -99,7 +97,6 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     if '<div class="filter devices">' in text:  # their tables need the room
         page.meta.setdefault("hide", ["toc"])
     text = _SAME.sub(lambda match: _languages(match, Path(page.file.abs_src_path).parent), text)
-    text = _EVIDENCE.sub(r'\1<details markdown="1">\n<summary>\2</summary>\n\n\3\n</details>\n', text)
     return _PROGRAMS.sub(_tabs, text)
 
 
