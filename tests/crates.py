@@ -47,6 +47,14 @@ def specification(spec: str) -> m.Model:
 
 
 @cache
+def cargo_lock() -> bytes:
+    """The versions of what the crate and its tests depend on, with the crate's own version of now."""
+    text = (Path(__file__).parent / "rust/Cargo.lock").read_text("utf-8")
+    own = rf"\g<1>{model('real').protocol.version}"
+    return re.sub(r'(name = "mip-protocol", version = ")[^"]*', own, text).encode()
+
+
+@cache
 def rendered(spec: str) -> dict[str, bytes]:
     return generated("rust", spec) if spec in SPECS else render.render("rust", specification(spec))
 

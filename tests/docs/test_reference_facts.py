@@ -153,7 +153,8 @@ def check_parameters(manual: Manual, record: m.Record, section: str) -> None:
         assert cells == wanted, (record.name, place.path)
         below += [f"{place.path}: {x}" for x in sentences(describe.topics(facts, "variant", "note"), place.prefix)]
         check_type(manual, place, row)
-    lists = section.partition("| Name | Type |")[2].partition("\n\n")[2].split("\n\n")
+    text = re.sub(r"<details.*>\n<summary>.* remarks .*</summary>\n\n", "", section)
+    lists = text.partition("| Name | Type |")[2].partition("\n\n")[2].split("\n\n")
     shown = [x for x in bullets(lists[0]) if " Ignore the other bits. Type: " not in x]  # see below
     assert shown == below or (not below and not lists[0].startswith("- "))
 

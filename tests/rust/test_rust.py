@@ -17,7 +17,19 @@ from pathlib import Path
 import everything
 import pytest
 from bad_spec_files import BASE
-from crates import WORK, bare, cargo, crate, passes, project, rendered, specification, without_dependencies, write
+from crates import (
+    WORK,
+    bare,
+    cargo,
+    cargo_lock,
+    crate,
+    passes,
+    project,
+    rendered,
+    specification,
+    without_dependencies,
+    write,
+)
 from mipgen import model as m
 from mipgen.emit import render
 from mipgen.resolve.load import load_model
@@ -126,8 +138,7 @@ serde_test = "1"
 {tests}"""
     root = f'[workspace]\nmembers = {json.dumps(members)}\nresolver = "2"\n'
     with locked(WORK / f"{spec}-workspace"):
-        lock = (HERE / "Cargo.lock").read_bytes()
-        files |= {"Cargo.toml": root.encode(), "Cargo.lock": lock, "features/Cargo.toml": features.encode()}
+        files |= {"Cargo.toml": root.encode(), "Cargo.lock": cargo_lock(), "features/Cargo.toml": features.encode()}
         write(files | {"features/src/lib.rs": b""}, folder)
     return folder
 

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from crates import WORK, passes, rendered, write
+from crates import WORK, cargo_lock, passes, rendered, write
 from mipgen.targets.rust import session
 from support import PATIENCE, PYTHONPATH, heavy, locked, model, simulated
 from test_rust import HERE
@@ -47,7 +47,7 @@ embedded-io-async = "0.7"
 
 [workspace]
 """
-    files = {"Cargo.toml": manifest.encode(), "Cargo.lock": (HERE / "Cargo.lock").read_bytes(), "src/lib.rs": b""}
+    files = {"Cargo.toml": manifest.encode(), "Cargo.lock": cargo_lock(), "src/lib.rs": b""}
     for name, device in DEVICES.items():
         module = f'#[path = "{HERE / "first_day.rs"}"]\nmod first_day;\n'
         files[f"tests/{name}.rs"] = f"{device}{module}".encode()
