@@ -194,7 +194,8 @@ def test_what_refers_to_other_languages(packages: Packages) -> None:
         "rust": "my_device_protocol::tools::Light",
         "javascript": "my-device-protocol/tools_.Light",
     }
-    page = (packages["my_device"] / "markdown/docs/fields/tools/light.md").read_text("utf-8")
+    docs = packages["my_device"] / "markdown/docs"
+    page = "".join((docs / path).read_text("utf-8") for path in ("fields/tools/light.md", "programs/tools.md"))
     for shown in ("my_device_call_tools_light_write(", "from my_device_protocol import", "use my_device_protocol::"):
         assert shown in page
 
