@@ -24,6 +24,7 @@ import mip_tools
 import numpy as np
 import pytest
 from mip_protocol import Parser, base, mip_3dm, types
+from mip_tools.devices.known import read_by_device
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.endpoints.endpoint import tcp_at
 from mip_tools.simulator.endpoints.serve import Server
@@ -124,6 +125,15 @@ def record(name: str, sync: bool, path: Path) -> list[Sent]:
     return plans
 
 
+def check_recognized(name: str, packets: list[Any]) -> None:
+    """Without its reply, a model may remain unknown, but is never taken for one that is read in another way."""
+    log = mip_tools.read_log(b"".join(map(bytes, packets)))
+    for kind in {c.type for c in log.types() if c.type is not None}:
+        device = log.reads(kind)
+        for on in read_by_device(kind).values() if device else ():
+            assert (on[device].type, on[device].flags) == (on[name].type, on[name].flags), (kind.NAME, device)
+
+
 def times_of(plans: list[Sent], sync: bool, log: mip_tools.Log) -> dict[str, set[float]]:
     """The times of all sets by clock, as the specification says for the model, compared with those of the log."""
     clocks: dict[str, set[float]] = {}
@@ -150,6 +160,7 @@ def test_every_model_is_read_as_specified(name: str, sync: bool, tmp_path: Path)
             raw = [r.data for p in own for r in p if r.descriptor == descriptor]
             check_values(name, sync, log.column(columns[sent.number, descriptor].type, sent.number), f, raw)
     clocks = times_of(plans, sync, log)
+    check_recognized(name, packets)
     check_info(path, plans, packets, clocks)
     check_csv(mip("export", path, "--format", "csv", "-o", "-"), clocks)
     check_csv(mip("stream", "-", "--format", "csv", data=path.read_bytes()), clocks)

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from mip_tools import fleet, read_log
 from mip_tools.errors import Failure, Misuse
-from mip_tools.fleet import dataset, sources
+from mip_tools.fleet import dataset, sources, store
 from program import ENVIRONMENT, log, mip, until
 from support import NIGHTLY, SEED, heavy, later
 
@@ -187,20 +187,20 @@ def cmdline(process: Any) -> list[str]:
 def test_urls_and_what_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "logs/a").mkdir(parents=True)
     (tmp_path / "logs/a/drive0.bin").write_bytes(log(1.0))
-    store = f"file://{tmp_path}/logs"
-    fleet.build_dataset(store, tmp_path / "out", workers=1)
+    place = f"file://{tmp_path}/logs"
+    fleet.build_dataset(place, f"file://{tmp_path}/out", workers=1)
     assert_complete(tmp_path / "out", tmp_path / "logs")
     with pytest.raises(Misuse, match=r"both called drive0\.bin"):
-        fleet.build_dataset([tmp_path / "logs/a", f"{store}/a"], tmp_path / "out")
+        fleet.build_dataset([tmp_path / "logs/a", f"{place}/a"], tmp_path / "out")
     with pytest.raises(Misuse, match=r"s3://bucket/out: Install s3fs"):
-        fleet.build_dataset(store, "s3://bucket/out")
+        fleet.build_dataset(place, "s3://bucket/out")
 
     def unreachable(*_: Any) -> bool:
         raise ConnectionError("no route to host\nwhile reading")
 
     monkeypatch.setattr("fsspec.implementations.local.LocalFileSystem.isdir", unreachable)
     with pytest.raises(Failure, match=r"^file://.* cannot be read: no route to host$"):
-        fleet.build_dataset(store, tmp_path / "out")
+        fleet.build_dataset(place, tmp_path / "out")
     with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is active"):
         fleet.build_dataset(tmp_path / "logs", tmp_path / "out")
 
@@ -225,6 +225,10 @@ def test_a_data_set_in_a_store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
         with pytest.raises(Failure, match=f"^{url} cannot be written: no space$"):
             fleet.build_dataset(folder / "car 1", url, workers=1)
     assert memory.cat_file(f"{top}/{dataset.MANIFEST}") == before
+    with pytest.raises(Failure, match=f"^{url} was made with only .*; use the same options, or another folder$"):
+        fleet.build_dataset(folder / "car 1", url, only=["sensor"], workers=1)
+    with pytest.raises(Failure, match=f"^another run has changed {url} meanwhile; run again$"), store.staged(url):
+        memory.pipe_file(f"{top}/{dataset.MANIFEST}", before + b"\n")
     status, text, _ = mip("fleet", folder / "car 1", "-o", url, "--workers", "1")
     assert status == 0 and text.startswith(f"{url}: 1 log added, 0 known, 0 failed; ") and " of 2 logs in " in text
     assert not fleet.build_dataset([folder / "car 0", folder / "car 1"], url, workers=1).added

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 
 from ..binding import Field
-from ..devices.known import varied
+from ..devices.known import read_by_device
 from . import scan, walk
 from .column import Column
 from .piece import NOTHING, Piece
@@ -87,7 +87,7 @@ class Packets(ABC):
     def reads(self, kind: type[Field]) -> str | None:
         """Returns the id of the device as which a field is read: that of the log, else one that stands for all that may
         have sent it, if they read the field alike."""
-        if self.device is None and varied(kind):
+        if self.device is None and read_by_device(kind):
             self.sender.survey(self)
         return self.sender.reads(kind)
 

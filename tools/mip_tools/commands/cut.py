@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
             log = stack.enter_context(inputs.open_columns(options.file, options.device))
             clock = _clock(log, options.file, bounds) if bounds.timed else None
             if clock:
-                print_assumptions("cut", log, False, False)
+                print_assumptions("cut", log, times=False, names=False)
             parts = ((0, part) for part in log.parts(PART))
         within = Within(bounds, clock)
         out = stack.enter_context(outputs.whole(options.output))

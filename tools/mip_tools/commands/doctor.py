@@ -87,7 +87,7 @@ def _examined(log: Log | bytes, device: str | None = None, model: str | None = N
     if isinstance(log, bytes):
         log = read_log(log, device=Sender(device, model))
     examined = examine_log(log)
-    print_assumptions("doctor", log, False)
+    print_assumptions("doctor", log, times=False)
     return examined
 
 

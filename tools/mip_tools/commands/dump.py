@@ -130,7 +130,7 @@ def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, Known
         else:
             if inputs.is_log(name) and find_spec("numpy") is not None:
                 with inputs.open_columns(name, options.device) as log:
-                    print_assumptions("dump", log, False)  # also of a device that replies later
+                    print_assumptions("dump", log, times=False)  # also of a device that replies later
                     device = log.sender
                     device.news()
             arriving = inputs.arriving(name, progress=not sys.stdout.isatty())

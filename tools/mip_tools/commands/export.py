@@ -75,7 +75,7 @@ def run(options: argparse.Namespace) -> int:
         job = tables.table_export(options, selection, log)
         if not job.kinds:
             _nothing(options, selection)
-        print_assumptions("export", log, options.time != "none", options.named)
+        print_assumptions("export", log, times=options.time != "none", names=options.named)
         outputs.refuse_input(options.output, options.file)
         with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:
             for columns in job.tables(options):

@@ -51,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
     curves: dict[str, tuple[Array, Array, str]] = {}
     lines: list[str] = []
     with inputs.open_columns(options.file, options.device) as log:
-        print_assumptions("noise", log, False, False)
+        print_assumptions("noise", log, times=False, names=False)
         for name in options.names or [name for name in _USUAL if name in log] or _USUAL[:1]:
             curves |= _examined(log, name, options.file, lines)
     print("\n".join(lines))

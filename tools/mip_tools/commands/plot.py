@@ -39,7 +39,7 @@ def run(options: argparse.Namespace) -> int:
     curves = [curve for name in options.names for curve in plot.curves_of(name)]
     with inputs.open_columns(options.file, options.device) as log:
         figure = plot.draw(pyplot, log, curves, options)
-        print_assumptions("plot", log, False, False)
+        print_assumptions("plot", log, times=False, names=False)
         if options.output is None:
             pyplot.show()
             return 0

@@ -42,13 +42,16 @@ def identity_type() -> Any:
         return None
 
 
-def varied(kind: Any) -> dict[str, dict[str, Parameter]]:
+# The cached functions are apart, because mypy takes a class of fields for something without a hash.
+
+
+def read_by_device(kind: Any) -> dict[str, dict[str, Parameter]]:
     """Returns the parameters whose flags or names depend on the device, by attribute, as they are on each device."""
-    return _varied(kind)
+    return _read_by_device(kind)
 
 
 @cache
-def _varied(kind: Any) -> dict[str, dict[str, Parameter]]:
+def _read_by_device(kind: Any) -> dict[str, dict[str, Parameter]]:
     made = {p.attribute: {device: p.on(device) for device in DEVICES} for p in info(kind).parameters}
     return {name: on for name, on in made.items() if len({(p.type, p.flags) for p in on.values()}) > 1}
 
@@ -60,7 +63,7 @@ def named_by_device(kind: Any) -> dict[str, dict[str, Any]]:
 
 @cache
 def _named_by_device(kind: Any) -> dict[str, dict[str, Any]]:
-    types = {name: {device: p.type for device, p in on.items()} for name, on in varied(kind).items()}
+    types = {name: {device: p.type for device, p in on.items()} for name, on in read_by_device(kind).items()}
     return {name: on for name, on in types.items() if len(set(on.values())) > 1}
 
 
@@ -147,7 +150,7 @@ class KnownDevice:
     def reads(self, kind: type[Field]) -> str | None:
         """Returns the id of the device as which a field is read: the device itself, else one that stands for all that
         may have sent the data, if they read the field alike."""
-        if self.id is not None or len(self._devices) > 1 or not varied(kind):
+        if self.id is not None or len(self._devices) > 1 or not read_by_device(kind):
             return self.id
         return next(iter(self._readers(kind)), None)
 
@@ -167,7 +170,7 @@ class KnownDevice:
         if kind not in self._alike:
             types = named_by_device(kind).values()
             likely = [device for device in self._likely() if all(each[device] is not None for each in types)]
-            same = all(len({(on[d].type, on[d].flags) for d in likely}) == 1 for on in varied(kind).values())
+            same = all(len({(on[d].type, on[d].flags) for d in likely}) == 1 for on in read_by_device(kind).values())
             self._alike[kind] = likely if same else []
         return self._alike[kind]
 
@@ -198,7 +201,7 @@ class KnownDevice:
             if device is None:
                 devices = self._flagged(kind)
             else:
-                here = [(on[device], usual[name]) for name, on in varied(kind).items()]
+                here = [(on[device], usual[name]) for name, on in read_by_device(kind).items()]
                 differs = any(p.flags != q.flags or (names and p.type != q.type) for p, q in here)
                 devices = tuple(self._readers(kind) if differs else ())
             if devices:
@@ -257,4 +260,4 @@ def _those_of(devices: tuple[str, ...]) -> str:
     return f"generation{'s' * (len(generations) > 1)} {in_words([*map(str, generations)])}"
 
 
-__all__ = ["IDENTITY", "KnownDevice", "identity_type", "in_words", "named_by_device", "varied"]
+__all__ = ["IDENTITY", "KnownDevice", "identity_type", "in_words", "named_by_device", "read_by_device"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -49,25 +50,13 @@ def build_dataset(
     Raises Misuse if the package for a URL is missing, Failure if the folder cannot be written, is used by another run,
     or was made with other options.
     """
-    if is_url(os.fspath(out)):
-        with store.staged(os.fspath(out)) as stage:
-            return build_dataset(
-                sources,
-                stage,
-                only=only,
-                pattern=pattern,
-                invalid=invalid,
-                device=device,
-                workers=workers,
-                progress=progress,
-            )
+    out = os.fspath(out).removeprefix("file://")
     try:
         from .decode import Work
     except ImportError as error:
         raise Failure(str(binding.MissingExtra(str(error.name), "fleet"))) from None
     several = [sources] if isinstance(sources, (str, os.PathLike)) else list(sources)
     logs = find_logs([os.fspath(path) for path in several], pattern)
-    folder = Path(out).resolve()
     options = {
         "mip_tools": __version__,
         "package": f"{binding.name()} {binding.VERSION}",
@@ -76,7 +65,8 @@ def build_dataset(
         **({"device": device} if device else {}),
     }
     try:
-        with dataset.alone(folder):
+        place = store.staged(out) if is_url(out) else nullcontext(Path(out).resolve())
+        with place as folder, dataset.alone(folder):
             run = _Run(folder, options, progress)
             run.begin()
             run.sort(logs)

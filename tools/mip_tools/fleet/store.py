@@ -34,7 +34,10 @@ def staged(url: str) -> Iterator[Path]:
                 for file, place in places.items():
                     if system.exists(place):
                         system.get_file(place, str(folder / file))
-        yield folder
+        try:
+            yield folder
+        except Failure as error:  # whoever reads it knows the URL only
+            raise Failure(str(error).replace(name, url)) from None
         with store_errors(url, "written"):
             system.invalidate_cache()
             if manifest() != before:

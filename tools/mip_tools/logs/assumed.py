@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 REMEDY = "a GNSS receiver with a fix, a pulse per second with time updates, or a time set by the host"
 
 
-def print_assumptions(command: str, log: Log, times: bool = True, names: bool = True) -> None:
+def print_assumptions(command: str, log: Log, *, times: bool = True, names: bool = True) -> None:
     """Prints the lines on standard error; `times`, `names`: does the output have times, and name values?"""
     from ..columns import timeline
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: A format, and an array for each of its arguments, with an item for each row.
 Texts = tuple[str, list[Array]]
-#: From so many rows on, pyarrow is faster, even if it is not imported yet, and if it is.
+#: From so many rows on, pyarrow is faster: if it must be imported first, and if it is imported.
 _MANY, _SOME = 4096, 200
 
 
