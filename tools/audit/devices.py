@@ -23,10 +23,8 @@ class Finding:
     text: str
 
 
-def compared_devices(
-    model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]
-) -> Iterator[tuple[str, Finding | None]]:
-    """Yields the kind of each fact, and the difference or None. `manuals` has the layouts of each device's manual."""
+def compared_devices(model: m.Model, facts: dict[str, Any]) -> Iterator[tuple[str, Finding | None]]:
+    """Yields the kind of each fact, and the difference or None."""
     devices: tuple[m.Device | m.NamedDevice, ...] = (*model.devices, *model.named)
     for device_id, stated in facts["models"].items():
         device = next((d for d in devices if d.id == device_id), None)
@@ -48,16 +46,10 @@ def compared_devices(
                 found = _reading(model, device_id, path, wanted)
                 text = f"{path}: {_short(found)}, witness {_short(wanted)}"
                 yield "readings of devices", None if found == wanted else Finding(device_id, text)
-    for device_id, keys in manuals.items():
-        certain = {
-            f"0x{s.set:02X},0x{s.field.descriptor:02X}" for d in model.devices if d.id == device_id for s in d.certain
-        }
-        for key in sorted(keys - certain) if certain else ():
-            yield "contents of manuals", Finding(device_id, f"{key} is in its manual, but not documented here")
 
 
-def debt(model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]) -> Counter[str]:
-    """Counts the facts of devices that neither the witness nor the layouts of their manuals state, by kind."""
+def debt(model: m.Model, facts: dict[str, Any]) -> Counter[str]:
+    """Counts the facts of devices that the witness does not state, by kind."""
     missing: Counter[str] = Counter()
     for device in model.devices:
         stated = facts["models"].get(device.id, {})
@@ -67,8 +59,7 @@ def debt(model: m.Model, facts: dict[str, Any], manuals: dict[str, Any]) -> Coun
                 if kind not in ("yes", "likely", "assumed"):
                     missing[kind] += there is None
                     continue
-                printed = manuals.get(device.id, ()) if kind == "yes" else ()
-                missing[kind] += len({x for x in {*here} - {*(there or ())} if f"{_key(key)},0x{x:02X}" not in printed})
+                missing[kind] += len({*here} - {*(there or ())})
         readings = {(path, d) for path, rows in facts["readings"].items() for row in rows for d in row["devices"]}
         missing["readings"] += len({(v.path, device.id) for v in device.variants} - readings)
     return +missing

@@ -153,17 +153,11 @@ class _Compared:
         return bool(self.model.candidates(number, descriptor)) or descriptor in named
 
     def devices(self, facts: dict[str, Any]) -> None:
-        ids = {d.id for d in self.model.devices}
-        manuals = {
-            name: {x["key"] for x in w["layouts"] if x["role"] != "response"} for name, w in self.witnesses.items()
-        }
-        for kind, finding in devices.compared_devices(
-            self.model, facts, {x: keys for x, keys in manuals.items() if x in ids}
-        ):
+        for kind, finding in devices.compared_devices(self.model, facts):
             self.counts[kind] += 1
             if finding:
                 self.differences.append(Difference("devices", finding.at, finding.text))
-        self.debt = devices.debt(self.model, facts, manuals)
+        self.debt = devices.debt(self.model, facts)
 
     def constants(self, stated: dict[str, Any]) -> None:
         for kind, finding in rules.compare_constants(self.model, stated):
