@@ -227,6 +227,13 @@ WORDS = {
     "cv7-ahrs declination source not supported": _fields("filter.magnetic_declination_source"),
     "ping does not respond at 921600": ["guides/troubleshooting.html", "fields/base/ping.html"],
     "invalid checksum gx3": ["guides/troubleshooting.html", "packets.html"],
+    # words of ROS, and of other sensors
+    "imu temperature": _fields("sensor.temperature_statistics"),
+    "imu data not publishing": ["fields/3dm/data_stream_control.html", "guides/troubleshooting.html"],
+    "optical flow velocity aiding": ["fields/aiding/body_frame_velocity.html", "guides/aiding.html"],
+    "hardware trigger from fpga cv7": ["fields/3dm/event_trigger_config.html", "guides/events_and_gpio.html"],
+    "data not steady when imu is in rest position": ["guides/troubleshooting.html", "guides/navigation_filter.html"],
+    "imu data lags behind by a second": ["guides/troubleshooting.html", "guides/bandwidth.html"],
     # enumerators and names of the vendor, and of MSCL
     "MIP_3DM_PPS_SOURCE_COMMAND_PPS_SOURCE_GPIO": ["fields/3dm/pps_source_control.html"],
     "MIP_FILTER_MODE_FULL_NAV": ["fields/filter_data/status.html"],

@@ -162,12 +162,17 @@ export class Ranking {
         return { parts, beside, instead };
     }
 
-    /** Returns how much of a document's title was asked for, from 0 to 1; 1 if one of its keywords was. */
-    #shareOf(at, stems) {
-        const [title, ...keywords] = this.#phrases[at].map(
-            (phrase) => phrase.filter((one) => stems.has(one)).length / (phrase.length || 1),
-        );
-        return Math.max(title, ...keywords.filter((share) => share === 1));
+    /**
+     * Returns how well a document's title, or a keyword of which all words are asked for, is what was asked for, from 0 to 1:
+     * how much of it is in the query, and it of the `count` words of the query.
+     */
+    #shareOf(at, stems, count) {
+        const shares = this.#phrases[at].map((phrase, i) => {
+            const common = phrase.filter((one) => stems.has(one)).length;
+            const isMeant = i === 0 || common === phrase.length;
+            return isMeant ? (common / (phrase.length || 1)) * Math.sqrt(Math.min(1, common / count)) : 0;
+        });
+        return Math.max(...shares);
     }
 
     /** Returns the documents that have stems: how much of it they have, and how rare it is. The best of a document counts. */
@@ -207,7 +212,7 @@ export class Ranking {
         const found = [...scores.values()].map(({ at, score, covered }) => ({
             at,
             covered: covered / whole,
-            score: score * (covered / whole) * (1 + this.#shareOf(at, stems)),
+            score: score * (covered / whole) * (1 + this.#shareOf(at, stems, parts.length)),
         }));
         return { found: found.sort((a, b) => b.score - a.score || a.at - b.at), instead };
     }

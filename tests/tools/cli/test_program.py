@@ -167,7 +167,11 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
         "gyrobias": "gyro_bias",
         "how do I set the baud rate of the uart": "baud",
         "rate of turn": "sensor.scaled_gyro",
+        "imu temperature": "sensor.temperature_statistics",
     }
+    lines = run(capsys, "fields", "--search", "hdop")[1].splitlines()  # a field of several sets is one result
+    assert "gnss_data.dop" in lines[0] and lines[0].endswith("also in 0x91, 0x92, 0x93, 0x94, 0x95")
+    assert not any("gnss_1" in line for line in lines)
     for text, field in first.items():
         assert field in run(capsys, "fields", "--search", text)[1].splitlines()[0], text
         assert run(capsys, "fields", "--search", *text.split()) == run(capsys, "fields", "--search", text)

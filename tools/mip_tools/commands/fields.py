@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections import defaultdict
 from typing import Any
 
 from ..binding import DEVICES, Field, Response, info, registry
@@ -46,11 +47,23 @@ def run(options: argparse.Namespace) -> int:
         for i, field in enumerate(chosen):
             print("\n" * (i > 0) + field_texts.text(field))
     else:
-        width = max((len(field.name) for field in chosen), default=0)
-        for field in chosen:
-            number, kind = field
-            print(f"0x{number:02X},0x{kind.DESCRIPTOR:02X}  {field.name:<{width}}  {kind.ROLE:<8}  {info(kind).title}")
+        print("\n".join(_lines(chosen, by_kind=options.search is not None)))
     return 0
+
+
+def _lines(fields: list[Occurrence], by_kind: bool) -> list[str]:
+    """Returns a line for each occurrence of a field, or one for each field that names its other sets."""
+    groups: dict[object, list[Occurrence]] = defaultdict(list)
+    for field in fields:
+        groups[field.kind if by_kind else field].append(field)
+    width = max((len(first.name) for first, *_ in groups.values()), default=0)
+    lines = []
+    for (number, kind), *others in groups.values():
+        name = kind.name_in(number)
+        also = "; also in " + ", ".join(f"0x{one.set:02X}" for one in others) if others else ""
+        text = f"{name:<{width}}  {kind.ROLE:<8}  {info(kind).title}{also}"
+        lines.append(f"0x{number:02X},0x{kind.DESCRIPTOR:02X}  {text}")
+    return lines
 
 
 def _chosen(options: argparse.Namespace) -> list[Occurrence]:

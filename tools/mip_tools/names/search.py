@@ -66,7 +66,7 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
             covered[field] += rarity
     stems = {stem for meant in parts for stem, weight in meant.items() if weight == 1}
     totals = {
-        field: scores[field] * (covered[field] / whole) * (1 + _share_of(field, stems))
+        field: scores[field] * (covered[field] / whole) * (1 + _share_of(field, stems, len(parts)))
         for field in fields
         if field in scores
     }
@@ -89,13 +89,17 @@ def _having(meant: dict[str, float]) -> dict[Occurrence, tuple[float, float]]:
     return found
 
 
-def _share_of(field: Occurrence, stems: set[str]) -> float:
-    """Returns how much of a field's title was asked for, from 0 to 1; 1 if one of its keywords was."""
+def _share_of(field: Occurrence, stems: set[str], count: int) -> float:
+    """Returns how well a field's title, or a keyword of which all words are asked for, is what was asked for, from 0 to
+    1: how much of it is in the query, and it of the `count` words of the query."""
     about = info(field.kind)
-    title, *keywords = (
-        [_stem(word) for word in _telling(_words(phrase))] for phrase in (about.title, *KEYWORDS.get(about.name, ()))
-    )
-    return max(sum(one in stems for one in title) / len(title), *(stems.issuperset(one) for one in keywords), 0)
+    shares = []
+    for i, phrase in enumerate((about.title, *KEYWORDS.get(about.name, ()))):
+        words = [_stem(word) for word in _telling(_words(phrase))]
+        common = sum(one in stems for one in words)
+        if i == 0 or common == len(words):
+            shares.append(common / len(words) * math.sqrt(min(1, common / count)))
+    return max(shares)
 
 
 def finds_any(text: str) -> bool:

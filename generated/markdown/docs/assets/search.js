@@ -9,7 +9,7 @@ globalThis.mipSearch = (() => {
     /** How much pages count that are rarely asked for: those that repeat others, those for developers, documents. */
     const COUNT = [
         [/^(errata|examples|types|compare|indexes)\b.*#/, 0.3],
-        [/^project\/(architecture|conformance|keys|new-language|proofs|simulate-reference|site|spec|versions)/, 0.6],
+        [/^project\/(architecture|c-measurements|conformance|kaitai|keys|new-language|proofs|simulate-reference|site|spec|versions)/, 0.6],
         [/^project\//, 0.85],
     ];
     /** Pages that are found by the words of all their sections, too. */
