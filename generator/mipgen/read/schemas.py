@@ -1,14 +1,14 @@
-"""Checks files against their JSON Schemas. Each schema becomes a function that returns the mistakes of a value, with
-their remedies in words."""
+"""Checks files against their JSON Schemas, and states mistakes and their remedies in words."""
 
 from __future__ import annotations
 
 import functools
 import json
-import operator
 import re
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
+
+from jsonschema_rs import Draft7, Draft7Validator, Registry, ValidationError
+from jsonschema_rs import ValidationErrorKind as Kind
 
 from mipgen.base import resources
 
@@ -16,195 +16,8 @@ from .nodes import Node
 from .problems import Problems, close, nearest
 from .spelling import strange
 
-SUFFIX = ".schema.json"
-
-#: Keywords without a rule. `$ref` replaces all other keywords, and `then` and `else` belong to `if`.
-_SILENT = {
-    "$schema", "$id", "title", "description", "default", "examples", "format", "definitions", "then", "else"
-}  # fmt: skip
-
 #: Words that other YAML parsers read as true and false.
 _BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
-
-
-class Mistake(NamedTuple):
-    """A mistake at a path. The message names what is there, between both parts; with one part, it is about a key."""
-
-    path: tuple[str | int, ...]
-    message: str
-    rest: str | None = None
-
-
-#: Returns the mistakes of the value of a node.
-Check = Callable[[Any], list[Mistake]]
-
-Schema = Mapping[str, Any]
-
-
-def check_schema(kind: str, root: Node, problems: Problems) -> bool:
-    """Adds the mistakes of a file to `problems`; True if there are none."""
-    mistakes = _referenced(kind + SUFFIX, "")(root.value)
-    for path, message, rest in mistakes:
-        if rest is None:
-            problems.add(root.at([*path]), message)
-        else:
-            problems.add(root.value_at([*path]), f"{message}{_inside(path)}{rest}")
-    return not mistakes
-
-
-def _inside(path: tuple[str | int, ...]) -> str:
-    """Names a key, or an item of a list."""
-    key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), "the file")
-    return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
-
-
-# --------------------------------------------------------------------------- schemas as functions
-
-
-@functools.cache
-def schema_files() -> dict[str, Any]:
-    """Reads the schemas, by file name."""
-    folder = resources.root() / "spec/schema"
-    return {name: json.loads(file.read_text("utf-8")) for name, file in resources.files_in(folder)}
-
-
-@functools.cache
-def _referenced(file: str, pointer: str) -> Check:
-    return _compiled(_schema_at(file, pointer), file)
-
-
-def _schema_at(file: str, pointer: str) -> Any:
-    """Returns the schema at a pointer such as `/definitions/name`."""
-    return functools.reduce(dict.__getitem__, pointer.split("/")[1:], schema_files()[file])
-
-
-def _reference(schema: Schema, file: str) -> tuple[str, str]:
-    other, _, pointer = schema["$ref"].partition("#")
-    return other or file, pointer
-
-
-def _compiled(schema: Schema, file: str) -> Check:
-    if "$ref" in schema:
-        place = _reference(schema, file)
-        return lambda value: _referenced(*place)(value)  # later, because schemas refer to themselves
-    checks = [
-        functools.partial(_VALUES[key], rule, schema) if key in _VALUES else _PARTS[key](rule, schema, file)
-        for key, rule in schema.items()
-        if key not in _SILENT
-    ]
-    return checks[0] if len(checks) == 1 else _all(checks)
-
-
-def _all(checks: list[Check]) -> Check:
-    return lambda value: [mistake for check in checks for mistake in check(value)]
-
-
-def _within(step: str | int, mistakes: list[Mistake]) -> Iterable[Mistake]:
-    return (mistake._replace(path=(step, *mistake.path)) for mistake in mistakes)
-
-
-def _properties(rule: Any, _: Schema, file: str) -> Check:
-    compiled = {key: _compiled(schema, file) for key, schema in rule.items()}
-
-    def check(value: Any) -> list[Mistake]:
-        known = value.keys() & compiled.keys() if isinstance(value, dict) else ()
-        return [x for key in known if (found := compiled[key](value[key].value)) for x in _within(key, found)]
-
-    return check
-
-
-def _other_properties(rule: Any, schema: Schema, file: str) -> Check:
-    named = dict(schema.get("properties", {}))
-    other = None if rule is False else _compiled(rule, file)
-
-    def check(value: Any) -> list[Mistake]:
-        others = value.keys() - named if isinstance(value, dict) else ()
-        if other is None:
-            return [x for key in others for x in _unknown_key(key, value[key].value, named)]
-        return [x for key in others if (found := other(value[key].value)) for x in _within(key, found)]
-
-    return check
-
-
-def _names(rule: Any, _: Schema, file: str) -> Check:
-    name, form = _compiled(rule, file), _form(_schema_at(*_reference(rule, file)))
-
-    def check(value: Any) -> list[Mistake]:
-        keys = value if isinstance(value, dict) else ()
-        return [x for key in keys if name(key) for x in _wrong_name(key, form)]
-
-    return check
-
-
-def _items(rule: Any, _: Schema, file: str) -> Check:
-    item = _compiled(rule, file)
-
-    def check(value: Any) -> list[Mistake]:
-        several = enumerate(value) if isinstance(value, list) else ()
-        return [x for i, node in several if (found := item(node.value)) for x in _within(i, found)]
-
-    return check
-
-
-def _if(rule: Any, schema: Schema, file: str) -> Check:
-    condition = _compiled(rule, file)
-    then, otherwise = (_compiled(schema.get(key, {}), file) for key in ("then", "else"))
-    return lambda value: (otherwise if condition(value) else then)(value)
-
-
-def _all_of(rule: Any, _: Schema, file: str) -> Check:
-    return _all([_compiled(schema, file) for schema in rule])
-
-
-#: Keyword -> function that compiles its rule about parts of a value. A schema may use no others.
-_PARTS: dict[str, Callable[[Any, Schema, str], Check]] = {
-    "properties": _properties,
-    "additionalProperties": _other_properties,
-    "propertyNames": _names,
-    "items": _items,
-    "if": _if,
-    "allOf": _all_of,
-}
-
-
-# --------------------------------------------------------------------------- rules about a value, and their messages
-
-
-def _fault(rest: str, message: str = "") -> list[Mistake]:
-    return [Mistake((), message, rest)]
-
-
-def _fault_of_key(key: str, message: str) -> list[Mistake]:
-    return [Mistake((key,), message)]
-
-
-def _wrong_name(name: str, form: str | None) -> list[Mistake]:
-    return _fault_of_key(name, f"the name '{name}' must be {form}{strange(name)}")
-
-
-def _unknown_key(key: str, value: Any, known: Iterable[str]) -> list[Mistake]:
-    rest = "; if it ends the text before it, put the whole text in quotes"
-    return _fault_of_key(key, f"unknown key '{key}'{rest if value is None else nearest(key, known)}")
-
-
-def _missing(key: str, schema: Schema) -> list[Mistake]:
-    alone = "; write only the number if the name needs no description" if key == "description" else ""
-    return _fault(alone if "integer" in schema.get("type", ()) else "", f"'{key}' is missing in ")
-
-
-def _required(rule: list[str], schema: Schema, value: Any) -> list[Mistake]:
-    return [x for key in rule if key not in value for x in _missing(key, schema)] if isinstance(value, dict) else []
-
-
-_TYPES: dict[str, Callable[[Any], bool]] = {
-    "object": lambda value: isinstance(value, dict),
-    "array": lambda value: isinstance(value, list),
-    "string": lambda value: isinstance(value, str),
-    "boolean": lambda value: isinstance(value, bool),
-    "null": lambda value: value is None,
-    "number": lambda value: isinstance(value, (int, float)) and not isinstance(value, bool),
-    "integer": lambda value: isinstance(value, int) and not isinstance(value, bool),  # not 1.0: it is meant as a float
-}
 
 _IN_WORDS = {
     "object": "a mapping",
@@ -217,86 +30,130 @@ _IN_WORDS = {
 }
 
 
-def _type(rule: str | list[str], schema: Schema, value: Any) -> list[Mistake]:
-    kinds = [rule] if isinstance(rule, str) else rule
-    if any(_TYPES[kind](value) for kind in kinds):
-        return []
-    wanted = _form(schema) or " or ".join(_IN_WORDS[kind] for kind in kinds)
-    return _fault(f" must be {wanted}, not {_shown(value)}{_instead(value, kinds)}")
+def check_schema(kind: str, root: Node, problems: Problems) -> bool:
+    """Adds the mistakes of a file to `problems`; True if there are none."""
+    errors = list(_validator(kind).iter_errors(root.plain()))
+    for error in errors:
+        _report(error, root, problems)
+    return not errors
 
 
-def _enum(rule: list[Any], _: Schema, value: Any) -> list[Mistake]:
-    if _is_one_of(rule, value):
-        return []
-    choices = [str(x) for x in rule]
-    return _fault(f" must be {' or '.join(choices)}, not {_shown(value)}{close(str(value), choices)}")
-
-
-def _const(rule: Any, _: Schema, value: Any) -> list[Mistake]:
-    if _is_one_of([rule], value):
-        return []
-    return _fault(f" must be {_shown(rule)}, or be omitted, not {_shown(value)}")
-
-
-def _is_one_of(rule: list[Any], value: Any) -> bool:
-    """Distinguishes true from 1, unlike Python; lists and mappings are not supported."""
-    return any(value == x and isinstance(value, bool) == isinstance(x, bool) for x in rule)
-
-
-def _pattern(rule: str, schema: Schema, value: Any) -> list[Mistake]:
-    if not isinstance(value, str) or pattern(rule).search(value):
-        return []
-    return _fault(f" must be {_form(schema) or rule}, not {_shown(value)}{strange(value)}")
+# --------------------------------------------------------------------------- schemas
 
 
 @functools.cache
-def pattern(text: str) -> re.Pattern[str]:
-    r"""Compiles a pattern whose `$` matches only at the end of a text, as in JSON Schema. Python's also matches before
-    a final line break.
-
-    >>> [bool(pattern("^a$").search(text)) for text in ("a", "a\n")]
-    [True, False]
-    """
-    return re.compile(text.replace("$", r"\Z"))
+def _schemas() -> dict[str, Any]:
+    """Reads the schemas, by their identifiers."""
+    files = resources.files_in(resources.root() / "spec/schema")
+    schemas = (json.loads(file.read_text("utf-8"), object_hook=_marked) for _, file in files)
+    return {schema["$id"]: schema for schema in schemas}
 
 
-def _bound(words: str, holds: Callable[[Any, Any], bool], rule: Any, _: Schema, value: Any) -> list[Mistake]:
-    if not _TYPES["number"](value) or holds(value, rule):
-        return []
-    return _fault(f" must be {words} {rule}, not {_shown(value)}")
+def _marked(schema: dict[str, Any]) -> dict[str, Any]:
+    return {**schema, "whole": True} if "integer" in schema.get("type", ()) else schema
 
 
-def _least(kind: type, rule: int, _: Schema, value: Any) -> list[Mistake]:
-    if not isinstance(value, kind) or len(value) >= rule:  # type: ignore[arg-type]
-        return []
-    return _fault(" must not be empty" if rule == 1 else f" must have at least {rule} items")
+class _Whole:
+    """Rejects 1.0 as an integer, which JSON Schema permits: it is meant as a float."""
+
+    def __init__(self, *_: object) -> None:
+        pass
+
+    def validate(self, value: Any) -> None:
+        if isinstance(value, float) and value.is_integer():
+            raise ValueError
 
 
-def _most(kind: type, rule: int, _: Schema, value: Any) -> list[Mistake]:
-    if not isinstance(value, kind) or len(value) <= rule:  # type: ignore[arg-type]
-        return []
-    return _fault(f" must have at most {rule} item{'s' if rule != 1 else ''}")
+@functools.cache
+def _validator(kind: str) -> Draft7Validator:
+    registry = Registry(_schemas().items(), draft=Draft7)
+    schema = next(schema for name, schema in _schemas().items() if name.endswith(f"/{kind}.schema.json"))
+    return Draft7Validator(schema, registry=registry, keywords={"whole": _Whole})
 
 
-#: Keyword -> the function that applies its rule to a value. A schema may use no others.
-_VALUES: dict[str, Callable[[Any, Schema, Any], list[Mistake]]] = {
-    "type": _type,
-    "enum": _enum,
-    "const": _const,
-    "required": _required,
-    "pattern": _pattern,
-    "minimum": functools.partial(_bound, "at least", operator.ge),
-    "exclusiveMinimum": functools.partial(_bound, "more than", operator.gt),
-    "maximum": functools.partial(_bound, "at most", operator.le),
-    "minLength": functools.partial(_least, str),
-    "minItems": functools.partial(_least, list),
-    "minProperties": functools.partial(_least, dict),
-    "maxItems": functools.partial(_most, list),
-    "maxProperties": functools.partial(_most, dict),
-}
+def _schema_of(error: ValidationError) -> Any:
+    """Returns the schema with the rule that is broken."""
+    schema, _, pointer = str(error.absolute_keyword_location).partition("#/")
+    steps = pointer.split("/")[:-1]
+    return functools.reduce(
+        lambda part, step: part[int(step) if isinstance(part, list) else step], steps, _schemas()[schema]
+    )
 
 
-def _form(schema: Schema) -> str | None:
+# --------------------------------------------------------------------------- mistakes in words
+
+
+def _path(error: ValidationError, root: Node) -> list[str | int]:
+    """Returns the path of a value. The library's has a number for a key of digits, too."""
+    path: list[str | int] = []
+    for step in error.instance_path:
+        path.append(str(step) if isinstance(root.value, dict) else step)
+        root = root.value[path[-1]]
+    return path
+
+
+def _report(error: ValidationError, root: Node, problems: Problems) -> None:
+    path, schema = _path(error, root), _schema_of(error)
+    value: Any = error.instance
+    match error.kind:
+        case Kind.AdditionalProperties(keys):
+            for key in keys:
+                problems.add(root.at([*path, key]), f"unknown key '{key}'{_known(value[key], key, schema)}")
+        case Kind.PropertyNames(of_name):
+            name, form = str(of_name.instance), _form(_schema_of(of_name))
+            problems.add(root.at([*path, name]), f"the name '{name}' must be {form}{strange(name)}")
+        case Kind.Required(key):
+            short = key == "description" and "integer" in schema.get("type", ())
+            remedy = "; write only the number if the name needs no description" if short else ""
+            problems.add(root.value_at(path), f"'{key}' is missing in {_inside(path)}{remedy}")
+        case _:
+            problems.add(root.value_at(path), f"{_inside(path)} must {_wanted(error, schema)}")
+
+
+def _known(value: Any, key: str, schema: dict[str, Any]) -> str:
+    """Returns the remedy for an unknown key."""
+    if value is None:
+        return "; if it ends the text before it, put the whole text in quotes"
+    return nearest(key, schema.get("properties", ()))
+
+
+def _inside(path: list[str | int]) -> str:
+    """Names a key, or an item of a list."""
+    key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), "the file")
+    return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
+
+
+def _wanted(error: ValidationError, schema: dict[str, Any]) -> str:
+    """Returns what a value must be, what it is, and the remedy."""
+    value = error.instance
+    found, form = f", not {_shown(value)}", _form(schema)
+    match error.kind:
+        case Kind.Type() | Kind.Custom():
+            kinds = [kind] if isinstance(kind := schema["type"], str) else kind
+            return f"be {form or ' or '.join(_IN_WORDS[kind] for kind in kinds)}{found}{_instead(value, kinds)}"
+        case Kind.Enum(options):
+            choices = [str(x) for x in options]
+            return f"be {' or '.join(choices)}{found}{close(str(value), choices)}"
+        case Kind.Constant(only):
+            return f"be {_shown(only)}, or be omitted{found}"
+        case Kind.Pattern(pattern):
+            return f"be {form or pattern}{found}{strange(str(value))}"
+        case Kind.Minimum(limit):
+            return f"be at least {limit}{found}"
+        case Kind.ExclusiveMinimum(limit):
+            return f"be more than {limit}{found}"
+        case Kind.Maximum(limit):
+            return f"be at most {limit}{found}"
+        case Kind.MinItems(1) | Kind.MinLength(1) | Kind.MinProperties(1):
+            return "not be empty"
+        case Kind.MinItems(limit):
+            return f"have at least {limit} items"
+        case Kind.MaxItems(limit) | Kind.MaxProperties(limit):
+            return f"have at most {limit} item{'s' if limit != 1 else ''}"
+    raise TypeError(error.kind)
+
+
+def _form(schema: dict[str, Any]) -> str | None:
     """Returns the form of a value: the description of its definition. A description that ends with a full stop belongs
     to a property, and states its purpose instead."""
     words = str(schema.get("description", "."))
