@@ -102,7 +102,7 @@ def test_every_set_lists_its_fields(manual: Manual) -> None:
         ("Supported fields", lambda d: d.certain),
         ("Likely fields", lambda d: list(d.likely)),
         ("Assumed fields", lambda d: list(d.assumed)),
-        ("Fields not supported", lambda d: d.refuses),
+        ("Fields not supported", lambda d: [x for x in d.refuses if not x.evidence.needs]),
     ],
 )
 def test_what_a_device_supports_or_refuses(
@@ -123,6 +123,16 @@ def test_what_a_device_supports_or_refuses(
         for s in wanted:
             assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
             assert s.certain or seen(describe.evidence(s.evidence, of)) in words(page)
+
+
+def test_fields_that_require_hardware_are_in_one_list(manual: Manual) -> None:
+    for d in manual.model.devices:
+        page = manual.page(f"devices/{d.id}.md")
+        for x in (x for x in d.refuses if x.evidence.needs):
+            anchor = f"requires.{x.evidence.needs.replace(' ', '_')}"
+            assert f"(../compare/overview.md#{anchor}), which the device lacks." in page
+            assert f"#{x.field.full_name})" in manual.section("compare/overview.md", anchor)
+            assert f"(../../devices/{d.id}.md)" in manual.field(x.field)
 
 
 def test_errata_and_what_they_are_about_lead_to_each_other(manual: Manual) -> None:

@@ -18,7 +18,7 @@ from mipgen.facts import describe
 from ..offsets import parameter_offsets
 from ..places import Page, label
 from ..text import code, hexadecimal, inline, table
-from .devices import Section, base_rate, limit
+from .devices import Section, base_rate, fields_by_set, limit, requirement
 
 YES = "yes"
 NO = "no"
@@ -56,6 +56,20 @@ class Comparison:
                 table(map(self._device, devices), [*headings, "Acknowledge codes"]),
             )
             for generation, devices in groupby(self._devices, key=lambda d: d.generation)
+        ]
+
+    @property
+    def requirements(self) -> list[tuple[str, Section]]:
+        """The fields that some device lacks the hardware for: the address of each list, and the list."""
+        lacking: dict[str, dict[str, m.Support]] = {}
+        for x in (x for d in self._devices for x in d.refuses if x.evidence.needs):
+            lacking.setdefault(x.evidence.needs, {})[f"{x.set} {x.field.name}"] = x
+        return [
+            (
+                requirement(needs).partition("#")[2],
+                Section(m.worded(needs), "\n".join(fields_by_set(self.page, [*fields.values()]))),
+            )
+            for needs, fields in sorted(lacking.items())
         ]
 
     def _device(self, d: m.Device) -> list[str]:

@@ -81,21 +81,20 @@ class Device(View[m.Device]):
 
     def evident(self, answer: m.Answer) -> Iterator[Section]:
         """Yields the fields for which there is evidence with an answer, a section for each piece of evidence, with a
-        line for each set."""
+        line for each set; the list of those that require hardware is the same for all devices, and on one page."""
         for e in self.of.evidence:
             supports = [x for x in (*self.of.supports, *self.of.refuses) if x.evidence == e and e.answer == answer]
-            own = [(s, [self._brief(x) for x in supports if x.set == s.number]) for s in self.model.sets]
-            lines = [f"- {self.page.link(s)}: {', '.join(fields)}" for s, fields in own if fields]
+            lines = fields_by_set(self.page, supports)
             if e.undefined:
                 lines.append(
                     f"- Without a known layout: {', '.join(code(f'(0x{s:02X},0x{d:02X})') for s, d in e.undefined)}"
                 )
+            about = self.page.markdown(describe.evidence(e, self.model))
+            if e.needs:
+                hardware = m.worded(e.needs)
+                about = about.replace(hardware, self.page.link(requirement(e.needs), hardware))
             if lines:
-                yield Section("", "\n".join(lines), self.page.markdown(describe.evidence(e, self.model)))
-
-    def _brief(self, x: m.Support) -> str:
-        functions = f" {code(m.letters(x.functions))}" if x.functions else ""
-        return f"{self.page.link(x.field, inline(x.field.title))}{functions}"
+                yield Section("", "" if e.needs else "\n".join(lines), about)
 
     @property
     def deprecated(self) -> str:
@@ -161,6 +160,23 @@ def _note_table(note: m.Note) -> str:
     width = max(map(len, note.rows))
     head, *rows = [[*map(inline, row), *[""] * (width - len(row))] for row in note.rows]
     return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * width, *rows])
+
+
+def fields_by_set(page: Page, of: Iterable[m.Support]) -> list[str]:
+    """Lists fields, with the functions that a device accepts, in a line for each set."""
+
+    def brief(x: m.Support) -> str:
+        functions = f" {code(m.letters(x.functions))}" if x.functions else ""
+        return f"{page.link(x.field, inline(x.field.title))}{functions}"
+
+    fields = [*of]
+    sets = [(s, [brief(x) for x in fields if x.set == s.number]) for s in page.model.sets]
+    return [f"- {page.link(s)}: {', '.join(own)}" for s, own in sets if own]
+
+
+def requirement(needs: str) -> str:
+    """Returns the place of the list of fields that require hardware."""
+    return f"docs/compare/overview.md#requires.{needs.replace(' ', '_')}"
 
 
 def hertz(rate: m.Rate) -> str:
