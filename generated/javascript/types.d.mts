@@ -278,11 +278,11 @@ export declare const Gq7ContinuousBuiltInTest: Bitfield<Gq7ContinuousBuiltInTest
     readonly TIMING_OVERLOAD: Gq7ContinuousBuiltInTest;
     /** A data buffer was full and data may be lost. Bit 6. */
     readonly BUFFER_OVERRUN: Gq7ContinuousBuiltInTest;
-    /** System to inertial sensor processor link faults. Bits 16 to 19. */
+    /** Faults of the link to the inertial sensor processor. Bits 16 to 19. */
     readonly IMU_IPC_FAULT: Gq7ContinuousBuiltInTest;
-    /** System to filter processor link faults. Bits 20 to 23. */
+    /** Faults of the link to the filter processor. Bits 20 to 23. */
     readonly FILTER_IPC_FAULT: Gq7ContinuousBuiltInTest;
-    /** System to GNSS processor link faults. Bits 24 to 27. */
+    /** Faults of the link to the GNSS processor. Bits 24 to 27. */
     readonly GNSS_IPC_FAULT: Gq7ContinuousBuiltInTest;
     /** The inertial sensor clock failed. Bit 32. */
     readonly IMU_CLOCK_FAULT: Gq7ContinuousBuiltInTest;
@@ -1039,7 +1039,7 @@ export declare const RtkStatusFlags: Bitfield<RtkStatusFlags> & {
 
 export type RtkStatusFlagsLegacy = Flavor<number, "rtk_status_flags_legacy">;
 /**
- * State of the modem and of the corrections, in its older form. Uncertain: The form depends on the model; see
+ * State of the modem and the corrections, in the older layout. Uncertain: The form depends on the model; see
  * `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the last four numbers there. Uncertain:
  * The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not known.
  *

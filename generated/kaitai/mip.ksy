@@ -1253,13 +1253,13 @@ types:
         type: b9
       - id: imu_ipc_fault
         type: b4
-        doc: System to inertial sensor processor link faults.
+        doc: Faults of the link to the inertial sensor processor.
       - id: filter_ipc_fault
         type: b4
-        doc: System to filter processor link faults.
+        doc: Faults of the link to the filter processor.
       - id: gnss_ipc_fault
         type: b4
-        doc: System to GNSS processor link faults.
+        doc: Faults of the link to the GNSS processor.
       - id: unused_28
         type: b4
       - id: imu_clock_fault
@@ -1483,7 +1483,7 @@ types:
         doc: All bits as a number.
   rtk_status_flags_legacy:
     -kind: bits
-    doc: State of the modem and of the corrections, in its older form.
+    doc: State of the modem and the corrections, in the older layout.
     seq:
       - id: sinr
         type: b2
@@ -9755,7 +9755,7 @@ types:
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
-        doc: Use of the measurements.
+        doc: How the filter uses the measurements.
       - id: reserved
         type: u1
         repeat: expr
@@ -9770,7 +9770,7 @@ types:
         doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
-        doc: Use of the measurements.
+        doc: How the filter uses the measurements.
       - id: reserved
         type: u1
         repeat: expr

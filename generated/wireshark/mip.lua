@@ -122,9 +122,9 @@ F["gq7_continuous_built_in_test"] = {
   { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The firmware encountered an unexpected condition." },
   { name = "timing_overload", at = 0, size = 1, mask = 32, shift = 5, width = 1, doc = "The processor cannot keep up." },
   { name = "buffer_overrun", at = 0, size = 1, mask = 64, shift = 6, width = 1, doc = "A data buffer was full and data may be lost." },
-  { name = "imu_ipc_fault", at = 2, size = 1, mask = 15, shift = 0, width = 4, doc = "System to inertial sensor processor link faults." },
-  { name = "filter_ipc_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "System to filter processor link faults." },
-  { name = "gnss_ipc_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "System to GNSS processor link faults." },
+  { name = "imu_ipc_fault", at = 2, size = 1, mask = 15, shift = 0, width = 4, doc = "Faults of the link to the inertial sensor processor." },
+  { name = "filter_ipc_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "Faults of the link to the filter processor." },
+  { name = "gnss_ipc_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "Faults of the link to the GNSS processor." },
   { name = "imu_clock_fault", at = 4, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor clock failed." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
   { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
@@ -4203,7 +4203,7 @@ field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", rol
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800." },
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "Use of the measurements." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the filter uses the measurements." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_position_aiding_status", title = "GNSS position aiding status" }, })
 field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", role = "data", title = "GNSS attitude aiding status",
@@ -4211,7 +4211,7 @@ field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", rol
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
-      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "Use of the measurements." },
+      { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "How the filter uses the measurements." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_attitude_aiding_status", title = "GNSS attitude aiding status" }, })
 field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "data", title = "Heading aiding status",

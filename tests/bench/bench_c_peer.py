@@ -68,7 +68,7 @@ def report(sdk: Path) -> str:
     """As Markdown."""
     BUILD.mkdir(parents=True, exist_ok=True)
     out = f"Comparison with the vendor's {name(sdk)} in C, each built as its documentation recommends "
-    out += "(`make bench PEER=FOLDER`).\nThe first ratio is how many times as fast this library is; both find the same "
-    out += "number of packets and fields.\n\n"
+    out += "(`make bench PEER=FOLDER`).\nThe first ratio is this library's speed divided by the SDK's; both find "
+    out += "the same number of packets and fields.\n\n"
     heads = ["Speed", "Ratio", "Instructions per byte", name(sdk)]
     return out + bench_c.table(heads, speed(sdk))

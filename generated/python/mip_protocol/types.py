@@ -314,11 +314,11 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     BUFFER_OVERRUN = 1 << 6
     """A data buffer was full and data may be lost. Bit 6."""
     IMU_IPC_FAULT = 0xF0000
-    """System to inertial sensor processor link faults. Bits 16 to 19."""
+    """Faults of the link to the inertial sensor processor. Bits 16 to 19."""
     FILTER_IPC_FAULT = 0xF00000
-    """System to filter processor link faults. Bits 20 to 23."""
+    """Faults of the link to the filter processor. Bits 20 to 23."""
     GNSS_IPC_FAULT = 0xF000000
-    """System to GNSS processor link faults. Bits 24 to 27."""
+    """Faults of the link to the GNSS processor. Bits 24 to 27."""
     IMU_CLOCK_FAULT = 1 << 32
     """The inertial sensor clock failed. Bit 32."""
     IMU_COMM_FAULT = 1 << 33
@@ -1375,7 +1375,7 @@ class RtkStatusFlags(IntFlag):
 
 @codec.open_flag(32)
 class RtkStatusFlagsLegacy(IntFlag):
-    """State of the modem and of the corrections, in its older form. Uncertain: The form depends on
+    """State of the modem and the corrections, in the older layout. Uncertain: The form depends on
     the model; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the
     last four numbers there. Uncertain: The SDK lists only the names, from which the descriptions
     are inferred. The meaning of the values is not known.

@@ -405,13 +405,13 @@ bitfield! {
         /// A data buffer was full and data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// System to inertial sensor processor link faults. Bits 16 to 19.
+        /// Faults of the link to the inertial sensor processor. Bits 16 to 19.
         IMU_IPC_FAULT: u8 = 16..=19,
             imu_ipc_fault, set_imu_ipc_fault, with_imu_ipc_fault;
-        /// System to filter processor link faults. Bits 20 to 23.
+        /// Faults of the link to the filter processor. Bits 20 to 23.
         FILTER_IPC_FAULT: u8 = 20..=23,
             filter_ipc_fault, set_filter_ipc_fault, with_filter_ipc_fault;
-        /// System to GNSS processor link faults. Bits 24 to 27.
+        /// Faults of the link to the GNSS processor. Bits 24 to 27.
         GNSS_IPC_FAULT: u8 = 24..=27,
             gnss_ipc_fault, set_gnss_ipc_fault, with_gnss_ipc_fault;
         /// The inertial sensor clock failed. Bit 32.
@@ -1422,7 +1422,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// State of the modem and of the corrections, in its older form.
+    /// State of the modem and the corrections, in the older layout.
     ///
     /// Uncertain: The form depends on the model; see [`RtkStatusFlags`]. Uncertain: The SDK calls
     /// bits 20-31 reserved, but also puts the last four numbers there. Uncertain: The SDK lists

@@ -314,11 +314,11 @@ struct mip_gq7_continuous_built_in_test {
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_TIMING_OVERLOAD MIP_BITS(5, 1)
 /** Bit 6. A data buffer was full and data may be lost. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_BUFFER_OVERRUN MIP_BITS(6, 1)
-/** Bits 16 to 19. System to inertial sensor processor link faults. */
+/** Bits 16 to 19. Faults of the link to the inertial sensor processor. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_IPC_FAULT MIP_BITS(16, 4)
-/** Bits 20 to 23. System to filter processor link faults. */
+/** Bits 20 to 23. Faults of the link to the filter processor. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_IPC_FAULT MIP_BITS(20, 4)
-/** Bits 24 to 27. System to GNSS processor link faults. */
+/** Bits 24 to 27. Faults of the link to the GNSS processor. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_IPC_FAULT MIP_BITS(24, 4)
 /** Bit 32. The inertial sensor clock failed. */
 #define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CLOCK_FAULT MIP_BITS(32, 1)
@@ -1178,7 +1178,7 @@ static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags,
 }
 
 /**
- * State of the modem and of the corrections, in its older form. Uncertain: The form depends on the
+ * State of the modem and the corrections, in the older layout. Uncertain: The form depends on the
  * model; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, but also puts the
  * last four numbers there. Uncertain: The SDK lists only the names, from which the descriptions are
  * inferred. The meaning of the values is not known.
