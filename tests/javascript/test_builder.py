@@ -15,10 +15,6 @@ import pytest
 from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
-from mipgen.targets.c import api as c
-from mipgen.targets.javascript import api as javascript
-from mipgen.targets.python import api as python
-from mipgen.targets.rust import api as rust
 from support import all_fields, driver, encode_request, heavy, model, set_of
 from workbench import workbench
 
@@ -169,14 +165,6 @@ def address(page: browser.Page) -> str:
     return text
 
 
-PROGRAMS = (c.Programs, c.CppPrograms, python.Programs, rust.Programs, javascript.Programs)
-
-
-def programs(page: browser.Page) -> list[str]:
-    found: list[str] = page.run("texts('[data-program]')")
-    return found
-
-
 @pytest.fixture
 def own(page: browser.Page) -> Iterator[browser.Page]:
     """The page, for tests that open other addresses; it is opened anew afterwards."""
@@ -194,11 +182,7 @@ def test_it_begins_with_what_the_page_of_the_field_shows(own: browser.Page) -> N
         assert f is not None
         start(own, name)
         assert packet(own) == samples.packet(f)
-        if f.role == m.DATA:
-            assert programs(own) == [x(samples).data(f) for x in PROGRAMS]
     start(own, "3dm.message_format")
-    for text in ("mip_call_3dm_message_format_write(device, 0x80, 2, descriptors)", "0x80,", "{.descriptor = 0x04, "):
-        assert text in programs(own)[0] + programs(own)[2]
     assert own.run("texts('.mip-meant')") == ["Sensor data", "Scaled accel", "Scaled gyro"]
 
 
@@ -240,7 +224,6 @@ def test_several_fields(own: browser.Page) -> None:
     assert packet(own) == codec.build(of, 1, [(1, b""), (6, b""), (2, b"")])
     own.run("document.querySelector('[aria-label=\"Remove: field 1\"]').click()")
     assert packet(own) == codec.build(of, 1, [(6, b""), (2, b"")])
-    assert len(programs(own)) == 2 * len(PROGRAMS)
     own.run("const add = document.querySelector('#mip-add'); add.value = 'pps'; add.dispatchEvent(new Event('input'))")
     offered = own.run("[...document.querySelectorAll('.mip-forms .mip-hits li')].map((one) => one.dataset.field)")
     assert not [name for name in offered if name.startswith("3dm")], "of another set"
@@ -361,7 +344,6 @@ def test_optional_parameters(own: browser.Page) -> None:
     ((_, data),) = codec.split(model("real"), packet(own))
     values, left = codec.decode(f, data)
     assert left == 0 and len(values) == 8 and own.run("document.querySelector('.mip-more')") is None
-    assert all("is optional" in text for text in programs(own))
     for _ in range(6):
         own.run("document.querySelector('.mip-less').click()")
     assert packet(own) == least
@@ -403,15 +385,15 @@ def clipboard(page: browser.Page) -> str:
 
 @pytest.mark.parametrize("way", ["the clipboard", "a selection"])
 def test_everything_can_be_copied(own: browser.Page, way: str) -> None:
-    """Bytes, text and each program, even where a page may not write to the clipboard itself."""
+    """Bytes, text and source code, even where a page may not write to the clipboard itself."""
     own.call("Emulation.setFocusEmulationEnabled", enabled=True)
     own.browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
     start(own, "3dm.pps_source_control")
     if way == "a selection":
         own.run("navigator.clipboard.writeText = () => Promise.reject(new Error('not allowed')); 0")
     buttons = "[...document.querySelectorAll('.mip-output .mip-copy')]"
-    shown = [packet(own).hex(" ").upper(), *own.run("texts('[data-language]')"), *programs(own)]
-    assert len(shown) == 1 + 2 * len(PROGRAMS)
+    shown = [packet(own).hex(" ").upper(), *own.run("texts('[data-language]')")]
+    assert len(shown) == 1 + 5
     copied = []
     for i in range(own.run(f"{buttons}.length")):
         click = f"(() => {{ window.button = {buttons}[{i}]; window.button.click(); }})()"

@@ -277,6 +277,15 @@ export function answerOf(protocol, field, values) {
     return { acknowledge: packet, responses, conditions };
 }
 
+/** The languages in which `sourceOf` writes, as it and people call them. */
+export const LANGUAGES = [
+    ["c", "C"],
+    ["cpp", "C++"],
+    ["python", "Python"],
+    ["rust", "Rust"],
+    ["javascript", "JavaScript"],
+];
+
 /** Returns the bytes as source code. */
 export function sourceOf(bytes, language) {
     const list = Array.from(bytes, hexByte).join(", ");

@@ -1,4 +1,4 @@
-// The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the reply.
+// The builder: choose commands or fields, fill them in, and see the packet and the reply.
 
 import { decodePacket, MipError, Packet, placesOf, toHex } from "mip-protocol/tools";
 import { State } from "./address.mjs";

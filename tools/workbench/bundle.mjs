@@ -58,7 +58,7 @@ function searched(model) {
     const OF_FIELD = ["set", "name", "descriptor", "role", "title", "description", "responses", "command", "symbols"];
     const OF_DEVICE = ["id", "title", "also", "model_number", "supports", "refuses", "incomplete", "evidence"];
     return {
-        ...without(["guides", "named_devices", "manuals", "notes", "programs", "examples", "errata", "simulation"], model),
+        ...without(["guides", "named_devices", "manuals", "notes", "examples", "errata", "simulation"], model),
         fields: model.fields.map((field) => ({
             ...only([...OF_FIELD, "also", "keywords", "deprecated", "occurrences"], field),
             parameters: field.parameters.map(part),

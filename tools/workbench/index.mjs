@@ -17,7 +17,6 @@ export { instancesOf, keysOf, settingsOf } from "./settings.mjs";
 export { settingsIn, textOf } from "./settings_text.mjs";
 export { spanText } from "./logs.mjs";
 export { survey } from "./survey.mjs";
-export { programOf } from "./programs/index.mjs";
 export { live } from "./live.mjs";
 export { needOf, portsFor, streamsOf } from "./stream.mjs";
 export { descriptorOf } from "./words.mjs";

@@ -1,10 +1,9 @@
-// The builder's report on a packet: its bytes, the programs that send it, and the device's reply.
+// The builder's report on a packet: its bytes and the device's reply.
 
 import { MipError, unitOf } from "mip-protocol/tools";
-import { allOperations, answerOf, counted, packetOf, sourceOf } from "./build.mjs";
+import { answerOf, LANGUAGES, packetOf, sourceOf } from "./build.mjs";
 import { copyButton, element, table } from "./dom.mjs";
 import { inspectBytes } from "./inspect.mjs";
-import { LANGUAGES, programOf } from "./programs/index.mjs";
 import { copies, ruler, valueTable } from "./ruler.mjs";
 import { descriptorOf, spacedHex } from "./words.mjs";
 
@@ -46,40 +45,13 @@ export function report(protocol, { device, set, entries }, packet, to) {
     ];
 }
 
-/** Shows the programs of a field, and the reply. */
+/** Links to the programs of a field, and shows the reply. */
 function entryReport(protocol, { field, values }, several, to) {
     const heading = several ? [element("h2", to.field(field))] : [];
     const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
-    return [...heading, ...programs(protocol, field, values), ...answer];
-}
-
-function programs(protocol, field, values) {
-    if (field.role === "response") return [];
-    const shown = LANGUAGES.map(([key, title]) => {
-        const text = programText(protocol, key, field, values);
-        const code = element("pre", { tabindex: "0", "aria-label": title }, element("code", { "data-program": key }, text));
-        return element(
-            "details",
-            { open: key === "python" },
-            element("summary", title),
-            copyButton("Copy", () => text),
-            code,
-        );
-    });
-    const given =
-        field.role === "command"
-            ? "Each assumes an open `device`."
-            : "C and C++ have a `field` of a packet, Rust a `packet`, Python and JavaScript an open `device`.";
-    return [element("h3", field.role === "command" ? "To send it" : "To read it"), element("p", given.replaceAll("`", "")), ...shown];
-}
-
-function programText(protocol, language, field, values) {
-    try {
-        return programOf(protocol, language, field, [counted(protocol, allOperations(field), values)]);
-    } catch (error) {
-        if (!(error instanceof MipError)) throw error;
-        return `${error.message}.`;
-    }
+    const action = { command: "send", data: "read" }[field.role];
+    const page = action && to.page(field);
+    return [...heading, page && element("p", `Programs that ${action} it: `, page), ...answer].filter(Boolean);
 }
 
 function answerReport(protocol, field, values, to) {

@@ -1,6 +1,6 @@
 // Formats numbers, names and positions of the protocol.
 
-import { bitsOf, enumValue, placesOf, readFloat, SHARED_SET, toHex, unitOf, writeFloat } from "mip-protocol/tools";
+import { bitsOf, enumValue, placesOf, SHARED_SET, toHex, unitOf } from "mip-protocol/tools";
 
 export function hexByte(number) {
     return hexLiteral(number, 1);
@@ -47,35 +47,6 @@ export function decimal(value, size) {
         if (Math.fround(short) === value) return String(short);
     }
     return String(Number(value.toPrecision(9)));
-}
-
-/**
- * Returns the shortest literal of a float of this size in programs, with a point or an exponent; undefined if it is not
- * finite.
- */
-export function decimalLiteral(value, size) {
-    const number = typeof value === "string" ? readFloat(writeFloat(value, size, "value")) : size === 4 ? Math.fround(value) : value;
-    if (!Number.isFinite(number)) return undefined;
-    for (let digits = 1; digits < 18; digits++) {
-        const text = general(number, digits);
-        const read = size === 4 ? Math.fround(Number(text)) : Number(text);
-        if (Object.is(read, number)) return /[.e]/.test(text) ? text : `${text}.0`;
-    }
-    return undefined;
-}
-
-/**
- * Formats a number with at most this many significant digits, and an exponent if it is small or large, like Python's
- * `repr`.
- */
-function general(number, digits) {
-    const text = number.toExponential(digits - 1);
-    const [mantissa, exponent] = text.split("e");
-    const power = Number(exponent);
-    const sign = Object.is(number, -0) ? "-" : "";
-    const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
-    if (power >= -4 && power < 16) return sign + String(Number(text));
-    return `${short}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
 /** Formats a number in hexadecimal, with all digits of its `size` in bytes. */

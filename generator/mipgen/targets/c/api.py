@@ -1,21 +1,18 @@
-"""The C target's interface for other targets: names of fields and types, programs in C and C++, and data for tools that
-write programs."""
+"""The C target's interface for other targets: names of fields and types, and programs in C and C++."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from mipgen import model as m
-from mipgen.emit.symbols import Symbols, constant_names, named_parts, parameter_names, types_and_fields, unusual_names
+from mipgen.emit.symbols import Symbols, named_parts, types_and_fields
 
 from . import calls, cpp, names
 from .cpp_snippets import Programs as CppPrograms
 from .identifiers import of_field, of_type
-from .members import constructors
 from .snippets import Programs
 
-__all__ = ["CppPrograms", "Programs", "cpp_symbol", "cpp_symbols", "cpp_writing", "symbol", "symbols", "writing"]
+__all__ = ["CppPrograms", "Programs", "cpp_symbol", "cpp_symbols", "symbol", "symbols"]
 
 
 symbol = names.symbol
@@ -59,44 +56,3 @@ def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
         elif not isinstance(x, m.Struct):
             others = [f"{name}::{other}" for other in others]
         yield Symbols(x, name, tuple(others))
-
-
-def writing(model: m.Model) -> dict[str, Any]:
-    """Returns data for tools that write programs: names that differ between C and the specification, and the calls."""
-    words, commands = parameter_names(model), [f for f in model.fields if f.role == m.COMMAND]
-    return {
-        "scalars": {name: names.c_type(scalar) for name, scalar in m.SCALARS.items()},
-        "headers": {x.name: names.module(x.name) for x in model.families},
-        "members": unusual_names(words, names.member),
-        "arguments": unusual_names(words, names.argument_name),
-        "calls": {f.full_name: list(_calls(f, model)) for f in commands},
-    }
-
-
-def cpp_writing(model: m.Model) -> dict[str, Any]:
-    """Returns the same for C++, without what it shares with C."""
-    return {
-        "members": unusual_names(parameter_names(model), cpp.word),
-        "constants": unusual_names(constant_names(model), cpp.word),
-    }
-
-
-def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
-    """Yields the functions that call a command, each with its C++ structure, function selector, arguments and decoded
-    response. A command with only reserved values is passed as a whole structure."""
-    made = constructors(f)
-    for call in calls.calls(f, model):
-        if call.whole and made:
-            continue  # with optional parameters
-        row: dict[str, Any] = {"name": call.name}
-        if not call.whole:
-            row["cpp"] = f"mip::{cpp.namespace(f.family)}::{cpp.command_name(f, call)}"
-        if call.way is not None and call.way.function is not None:
-            row["function"] = call.way.function.name
-        if call.way is not None:
-            row["takes"] = [p.name for p in call.parameters]
-        if call.whole:
-            row["whole"] = True
-        if call.response is not None:
-            row["response"] = call.response.full_name
-        yield row

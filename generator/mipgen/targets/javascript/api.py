@@ -1,19 +1,16 @@
-"""The JavaScript target's interface for other targets: names of fields and types, programs, and data for writing
-programs."""
+"""The JavaScript target's interface for other targets: names of fields and types, and programs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from mipgen import model as m
-from mipgen.emit.naming import upper
-from mipgen.emit.symbols import Symbols, constant_names, named_parts, types_and_fields, unusual_names
+from mipgen.emit.symbols import Symbols, named_parts, types_and_fields
 
 from . import names
 from .snippets import Programs
 
-__all__ = ["Programs", "symbol", "symbols", "writing"]
+__all__ = ["Programs", "symbol", "symbols"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
@@ -31,8 +28,3 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
             others = [names.constant(part.name) for part in named_parts(x)]
         name = names.class_name(x)
         yield Symbols(x, symbol(x), tuple(f"{name}.{other}" for other in others))
-
-
-def writing(model: m.Model) -> dict[str, Any]:
-    """Returns data for tools that write programs: names that differ between JavaScript and the specification."""
-    return {"constants": unusual_names(constant_names(model), names.constant, upper)}

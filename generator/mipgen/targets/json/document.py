@@ -124,7 +124,6 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "errata": [_attributes(e) for e in model.errata],
         "simulation": _attributes(model.simulation),
         "guides": [_attributes(g) for g in model.guides],
-        "programs": call_data(model),
     }
 
 
@@ -432,17 +431,3 @@ def symbols(thing: m.Type | m.Field) -> dict[str, str]:
     names = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
     names |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
     return {language: name for language, name in names.items() if name}
-
-
-def call_data(model: m.Model) -> dict[str, dict[str, Any]]:
-    """Returns the data that a tool needs, besides `symbols`, to write calls of the bindings.
-
-    Its tables contain only names that differ between a language and the specification.
-    """
-    return {
-        "c": c.writing(model),
-        "cpp": c.cpp_writing(model),
-        "python": python.writing(model),
-        "rust": rust.writing(model),
-        "javascript": javascript.writing(model),
-    }

@@ -1,20 +1,18 @@
-"""The Rust target's interface for other targets: names of fields and types, programs, and data for writing programs."""
+"""The Rust target's interface for other targets: names of fields and types, and programs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from mipgen import model as m
 from mipgen.emit import symbols as words
-from mipgen.emit.naming import upper
 from mipgen.emit.symbols import Symbols
 
 from . import names
 from .snippets import Programs
 from .view import Crate, part_names
 
-__all__ = ["Programs", "symbol", "symbols", "writing"]
+__all__ = ["Programs", "symbol", "symbols"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
@@ -39,26 +37,3 @@ def _belonging(x: m.Type | m.Field, name: str, crate: Crate) -> Iterator[str]:
         yield from (f"{name}::{part}" for part, _ in part_names(x))
     if isinstance(x, m.Field) and len(x.responses) > 1:
         yield names.response_type(x)
-
-
-def writing(model: m.Model) -> dict[str, Any]:
-    """Returns data for tools that write programs: names that differ between Rust and the specification, and unions."""
-    return {
-        "members": words.unusual_names(words.parameter_names(model), names.member),
-        "constants": words.unusual_names(words.constant_names(model), names.constant, upper),
-        "constructors": {f.name: names.constructor(f) for f in model.protocol.functions},
-        "unions": _unions(model),
-        "vectors": {t.name: names.path(t, "") for t in model.types if isinstance(t, m.Vector)},
-        "variants": {tag: names.variant(tag) for tag in words.tag_names(model)},
-    }
-
-
-def _unions(model: m.Model) -> dict[str, str]:
-    """Returns the union of each parameter; unions with the same alternatives in one module share a type."""
-    crate, unions = model.derived(Crate), {}
-    for r in model.records:
-        for p in r.parameters:
-            if p.union:
-                where = names.home(r)
-                unions[f"{r.full_name}.{p.name}"] = f"{where}::{crate.union(p.union, where).name}"
-    return unions
