@@ -93,7 +93,7 @@ def test_data_that_end_before_a_constant_do_not_speak_against_a_layout() -> None
         ("tools.settings", {"function": 99}, {"function": 99}),
         ("measurements.accel", {"scaled_accel": [1, -0.5, "0x7FE5BF7F"], "valid_flags": ["ready", "any", "hot"]},
          {"scaled_accel": ["0x3f800000", "0xbf000000", "0x7fe5bf7f"], "valid_flags": 3}),
-        ("measurements.strings", {"model": "ABC", "name": "BC"}, {"model": "ABC".ljust(16), "name": "BC"}),
+        ("measurements.strings", {"model": "AÿC", "name": "BC"}, {"model": "AÿC".ljust(16), "name": "BC"}),
         ("measurements.health", {"result": "01" + "00" * 15}, {"result": [1] + [0] * 15}),
         ("tools.formats", {"suppress_ack": True}, {"suppress_ack": 1}),
     ],

@@ -256,6 +256,7 @@ class Reader(threading.Thread):
         try:
             while not self._stopped.is_set():
                 before = time.monotonic()
+                self._handling = waits(self._port)  # before they are taken: bytes are never nowhere
                 data = read_some(self._port)
                 self._handling = True
                 now = time.monotonic()
