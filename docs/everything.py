@@ -21,6 +21,8 @@ LEFT_OUT = re.compile(r"(compare|indexes|examples|programs|project|tools)/|(exam
 _ARTICLE = re.compile(r'<article class="md-content__inner md-typeset">(.*?)</article>', re.S)
 _NEXT = re.compile(r'<a href="([^"]+)" class="md-nav__link', re.S)
 _ID = re.compile(r'\b(id|for|name)="([^"]+)"')
+#: After these, a name may continue on the next line, so that no column is as wide as a symbol, and none breaks a word.
+_BREAK = re.compile(r"(?<=\w)([_.,:])(?=\w)(?=[^<>]*</code>)")
 _LINK = re.compile(r'\b(href|src)="(?!https?:|data:|mailto:)([^"]*)"')
 #: Links of headings to themselves, and the programs of fields.
 _CUT = re.compile(r'<a class="headerlink".*?</a>|<h2 id="programs">.*?(?=<h2|\Z)', re.S)
@@ -45,7 +47,6 @@ pre { padding: 8px; overflow: auto; background: #f4f6f8; }
   table, code, pre { font-size: 7px; }
   pre { white-space: pre-wrap; }
   td { overflow-wrap: break-word; }
-  td code { overflow-wrap: anywhere; }
 }
 </style>
 </head>
@@ -88,7 +89,8 @@ def whole(site: Path) -> str:
             return f'{match[1]}="{_place(page, match[2])}"'
 
         body = _ID.sub(place, _CUT.sub("", text[1]))
-        parts.append(f'<section id="{_place(page, "")}">{_LINK.sub(link, body)}</section>\n')
+        body = _BREAK.sub(r"\1<wbr>", _LINK.sub(link, body))
+        parts.append(f'<section id="{_place(page, "")}">{body}</section>\n')
     return f"{HEAD}{''.join(parts)}</body>\n</html>\n".replace("<details>", "<details open>")
 
 

@@ -228,6 +228,8 @@ def test_everything_is_on_one_page() -> None:
     anchors = set(re.findall(r'\bid="([^"]+)"', page))
     assert {f.full_name for f in model("real").fields} <= anchors
     assert {f"{f.full_name}.{p.name}" for f in model("real").fields for p in f.parameters} <= anchors
+    assert "<code>0x80</code>" in page and "overflow-wrap: anywhere" not in page  # on paper, codes stay whole
+    assert "filter_<wbr>data.<wbr>status" in page
     links = set(re.findall(r'href="(?!https?:|data:)([^"]*)"', page))
     assert {x for x in links if x.startswith("#") and x[1:] not in anchors} == set()
     others = {x.partition("#")[0].partition("?")[0] for x in links if not x.startswith("#")}
