@@ -7,19 +7,15 @@ import math
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 import browser
 import pytest
 from mip_protocol import PacketBuilder, Parser, sensor
-from mip_tools.configuration import parsed, talk
-from mip_tools.configuration.settings import ends_talk
 from mip_tools.simulator import Faults, LivePort, VirtualDevice
 from mip_tools.simulator.faults.kinds import parse_faults
 from mip_tools.simulator.motion import parse_motion
 from mip_tools.web.server import Server
-from settings_files import pulled, pushed, told
-from support import heavy, model
+from support import heavy
 from workbench import workbench
 
 pytestmark = heavy("Chromium")
@@ -246,82 +242,12 @@ def test_by_keyboard_alone(page: browser.Page) -> None:
         key(page, " ", 32, " ")
         page.run("until(() => /device is idle/.test(document.querySelector('#tool').innerText), 5)")
         page.run("document.querySelector('.mip-status').focus()")
-        names = tabbed(page, "Settings")
-        assert [name for name in names if name in ("Streams", "plot", "Commands", "Settings")] == [
-            "Streams",
-            "plot",
-            "Commands",
-            "Settings",
-        ], names
+        names = tabbed(page, "Commands")
+        assert [name for name in names if name in ("Streams", "plot")] == ["Streams", "plot"], names
         page.run("document.querySelector('.mip-status').focus()")
         tabbed(page, "Disconnect")
         key(page, "Enter", 13, "\r")
         page.run("until(() => text('.mip-status') === 'Not connected.')")
-
-
-def load(page: browser.Page, text: str) -> str:
-    """What the page says after a file is chosen."""
-    page.run(
-        "(() => { const input = document.querySelector('#mip-settings'); const held = new DataTransfer();"
-        f" held.items.add(new File([{json.dumps(text)}], 'settings.yaml')); input.files = held.files;"
-        " input.dispatchEvent(new Event('change')); })()"
-    )
-    page.run("until(() => /already as|failed:/.test(text('[data-what=settings]')), 60)")
-    said: str = page.run("document.querySelector('[data-what=settings]').innerText")
-    page.run("document.querySelector('[data-what=settings]').replaceChildren()")
-    return said
-
-
-def test_settings_go_from_the_page_to_the_command_and_back(page: browser.Page, tmp_path: Path) -> None:
-    """Many settings: read by the page and written by `mip config`, and the other way round."""
-    found = model("real").device(DEVICE)
-    assert found is not None
-    path = tmp_path / "settings.yaml"
-    with served() as at:
-        assert len(told(found, at.device, 0)) > 40
-        wanted = pulled(at.device)
-        connected(page, at)
-        page.run("fold('Settings'); press('Save to a file'); until(() => saved.length)")
-        path.write_text(page.run("saved[0].text()"))
-        held = parsed.parsed_settings(path).commands
-        path_of_command = tmp_path / "command.yaml"
-        path_of_command.write_text(wanted)
-        theirs = parsed.parsed_settings(path_of_command).commands
-        assert [*held.keys() ^ theirs.keys()] == []
-        assert not [place for place in held if talk.differs(held[place], theirs[place])]
-    other = VirtualDevice(DEVICE)
-    done = pushed(other, path)
-    assert len(done.written) > 30 and not done.refused and not done.read_differently
-    assert pulled(other) == wanted
-
-    with served() as at:
-        connected(page, at)
-        page.run("fold('Settings')")
-        said = load(page, wanted)
-        assert "written, until the next power-off" in said and "rejected" not in said and "otherwise" not in said
-        ends = [place for place in theirs if ends_talk(place)]
-        now = pulled(at.device)
-        path.write_text(now)
-        mine = parsed.parsed_settings(path).commands
-        assert {p for p in mine if talk.differs(mine[p], theirs[p])} <= {*ends}
-        assert f"{len(theirs)} already as in the file" in load(page, now)
-
-
-def test_a_file_that_is_wrong_changes_nothing(page: browser.Page) -> None:
-    with served() as at:
-        before = pulled(at.device)
-        connected(page, at)
-        page.run("fold('Settings')")
-        for text, wanted in (
-            ("no file of settings", "this is not a settings file"),
-            (before.replace("source: receiver_1", "source: receiver_9"), "did you mean 'receiver_2' or 'receiver_1'?"),
-            (before.replace(f"model: {DEVICE}", "model: 3dm-gx5-45"), "the file has the settings of a 3dm-gx5-45"),
-            (before.replace("settings:\n", "settings: [\n"), "not YAML: "),
-        ):
-            assert text != before
-            said = load(page, text)
-            assert said.startswith("Writing the settings failed: ") and wanted in said, said
-        assert pulled(at.device) == before
 
 
 def test_unplugged_and_plugged_in_again(page: browser.Page) -> None:

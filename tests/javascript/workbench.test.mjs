@@ -418,16 +418,6 @@ test("decimations have their rate in Hz on a device", { skip: !real && "of the r
     assert.deepEqual(rates(undefined), [undefined, undefined]);
 });
 
-test("every setting of every device can be read, and written as it was read", { skip: !real && "of the real one" }, () => {
-    const { settingsOf, instancesOf, keysOf } = globalThis.mip;
-    for (const device of model.devices) {
-        for (const field of settingsOf(protocol, device)) {
-            const { instances } = instancesOf(protocol, device, field);
-            for (const one of instances) assert.deepEqual(Object.keys(one), keysOf(field), `${device.id} ${field.name}`);
-        }
-    }
-});
-
 test("all forms of an attitude are the same rotation", { skip: !real && "of the real one" }, () => {
     const [half, one] = [Math.SQRT1_2, Math.PI / 2]; // a quarter turn about z
     const forms = {

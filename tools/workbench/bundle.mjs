@@ -89,10 +89,8 @@ const codec = (partOf) => ({
     },
 });
 
-const licences = ["fflate", "yaml"].map((name) => {
-    const home = path.dirname(require.resolve(`${name}/package.json`));
-    return `${name}: ${fs.readFileSync(path.join(home, "LICENSE"), "utf8")}`;
-});
+const fflate = path.dirname(require.resolve("fflate/package.json"));
+const licence = `fflate: ${fs.readFileSync(path.join(fflate, "LICENSE"), "utf8")}`;
 for (const [entry, script, partOf] of [
     ["index.mjs", "workbench.js", read],
     ["fields.mjs", "fields.js", searched],
@@ -105,8 +103,8 @@ for (const [entry, script, partOf] of [
         format: "iife",
         globalName: "mip",
         target: "es2022",
-        banner: { js: "// The MIP workbench: tools, codec and model as one script. MIT licence; it contains yaml and fflate." },
-        footer: { js: `globalThis.mip = mip; // also where a script is a module\n/*\n${licences.join("\n")}*/` },
+        banner: { js: "// The MIP workbench: tools, codec and model as one script. MIT licence; it contains fflate." },
+        footer: { js: `globalThis.mip = mip; // also where a script is a module\n/*\n${licence}*/` },
         plugins: [codec(partOf)],
         nodePaths: process.env.NODE_PATH.split(path.delimiter),
     });

@@ -13,8 +13,6 @@ export { inspector } from "./inspector.mjs";
 export { Ranking, stem, telling, wordsOf } from "./rank.mjs";
 export { rotationOf } from "./readings.mjs";
 export { bytesOfText } from "./pasted.mjs";
-export { instancesOf, keysOf, settingsOf } from "./settings.mjs";
-export { settingsIn, textOf } from "./settings_text.mjs";
 export { spanText } from "./logs.mjs";
 export { survey } from "./survey.mjs";
 export { live } from "./live.mjs";

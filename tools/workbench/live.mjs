@@ -1,4 +1,4 @@
-// The live view: a device at a serial port or shared by `mip serve`, with its data, commands and settings.
+// The live view: a device at a serial port or shared by `mip serve`, with its data and commands.
 
 import { registry } from "mip-protocol/registry";
 import { rejections } from "mip-protocol/rejected";
@@ -12,8 +12,6 @@ import { colourOf, drawAttitude, drawPlot, drawTrack, fixed } from "./draw.mjs";
 import { inspectBytes, inspectData } from "./inspect.mjs";
 import { transaction } from "./inspector.mjs";
 import { anglesOf, Readings, rotationOf } from "./readings.mjs";
-import { pull, push } from "./settings.mjs";
-import { settingsIn, textOf } from "./settings_text.mjs";
 import { needOf, needText } from "./stream.mjs";
 import { presetOf, streamChooser } from "./streams.mjs";
 import { flagText, hexByte } from "./words.mjs";
@@ -55,7 +53,6 @@ class Live {
     #state;
     #parts;
     #device;
-    #about = { model: "", firmware: "" }; // of the device
     #open; // opens the same port again
     #readings;
     #recording;
@@ -113,14 +110,11 @@ class Live {
             counts: element("p.mip-note"),
             record: button("Record", this.#record),
             recorded: element("span", { role: "status" }),
-            load: element("input", { type: "file", id: "mip-settings", accept: ".yaml,.yml,.json" }),
-            progress: element("p", { role: "status", "data-what": "settings" }),
         };
         parts.picture.append(element("h3", "Attitude"), parts.attitude, parts.angles);
         this.#parts = parts;
         this.#chooser = streamChooser(this.#protocol, state, this.#to, () => this.#tellNeed());
         const commands = element("div");
-        parts.load.addEventListener("change", () => this.#load());
         const connect = element(
             "section.mip-connect",
             element("h2", "Connect"),
@@ -157,20 +151,6 @@ class Live {
             parts.streams,
             element("section.mip-section", element("h2", "Data"), parts.counts, element("div.mip-readings", parts.picture, parts.data)),
             folded("Commands", [commands]),
-            folded("Settings", [
-                element(
-                    "p.mip-actions",
-                    button("Save to a file", this.#save),
-                    element("label", { for: "mip-settings" }, "Load from a file "),
-                    parts.load,
-                ),
-                element(
-                    "p.mip-note",
-                    "The file is that of mip config. Loading checks all of it, writes what differs, and saves nothing in flash memory: " +
-                        "for that, send a command with the function save.",
-                ),
-                parts.progress,
-            ]),
         );
         const bar = element("div.mip-bar", parts.status, parts.actions);
         root.replaceChildren(connect, bar, parts.identity, parts.connected);
@@ -274,10 +254,6 @@ class Live {
             const rows = part.fields[0].rows;
             const told = (name) => rows.find(({ path }) => path.endsWith(name))?.value ?? "";
             known = deviceWithNumber(this.#protocol, told("model_number"));
-            this.#about = {
-                model: known?.id ?? String(told("model_name")).trim(),
-                firmware: versionText(Number(told("firmware_version"))),
-            };
             this.#parts.identity.replaceChildren(identityList(rows, known), ...[profileNote(known)].filter(Boolean));
             this.#say(element("span.mip-right", `Connected to ${known?.title ?? "a device that is not known here"}.`));
         } catch (error) {
@@ -418,74 +394,6 @@ class Live {
         }
     }
 
-    // ------------------------------------------------------------------------------------------------ settings
-
-    async #ask(packet) {
-        const [{ answer, response, error }] = await this.#exchange(packet);
-        if (!answer) throw new MipError("timeout", error);
-        return { accepted: answer.answered.accepted, response };
-    }
-
-    async #talk(what, act) {
-        const { progress } = this.#parts;
-        const bar = element("progress", { max: 1, value: 0, "aria-label": what });
-        const name = element("span");
-        progress.replaceChildren(`${what} `, bar, " ", name);
-        const tell = (part, field) => {
-            bar.value = part;
-            name.textContent = field.title;
-        };
-        const streaming = this.#streaming;
-        try {
-            await this.#stop();
-            progress.replaceChildren(...[await act(tell)].flat());
-        } catch (error) {
-            if (!(error instanceof MipError)) throw error;
-            const [first, ...more] = error.message.split("\n");
-            const lines = more.map((line) => element("span", element("br"), line));
-            progress.replaceChildren(element("span.mip-wrong", `${what} failed: ${first}`, lines));
-        }
-        if (streaming && this.#device) await this.#start();
-    }
-
-    #save() {
-        const known = deviceOf(this.#protocol, this.#state.get("device"));
-        return this.#talk("Reading the settings", async (tell) => {
-            const settings = await pull(this.#protocol, known, (packet) => this.#ask(packet), tell);
-            const about = { ...this.#about, date: new Date().toISOString().slice(0, 10) };
-            const text = textOf(this.#protocol, known, about, settings);
-            download(new Blob([text], { type: "application/yaml" }), `${known?.id ?? "device"}-settings.yaml`);
-            return `${settings.length} settings saved to a file.`;
-        });
-    }
-
-    async #load() {
-        const [file] = this.#parts.load.files;
-        this.#parts.load.value = "";
-        if (!file || !this.#device) return;
-        const text = await file.text();
-        await this.#talk("Writing the settings", async (tell) => {
-            const known = deviceOf(this.#protocol, this.#state.get("device"));
-            const { model, settings } = settingsIn(this.#protocol, text, known);
-            const { model: own } = this.#about;
-            if (model !== own) {
-                const remedy = `write "model: ${own}" in the file, to check it for this device`;
-                throw new MipError("format", `the file has the settings of a ${model}, and this is a ${own}; ${remedy}`);
-            }
-            const done = await push(this.#protocol, settings, (packet) => this.#ask(packet), tell);
-            const said = (of, words) =>
-                of.length > 0 && element("li", `${of.length} ${words}: ${[...new Set(of.map(({ field }) => field.name))].join(", ")}`);
-            return element(
-                "ul",
-                element("li", `${done.same.length} already as in the file`),
-                said(done.written, "written, until the next power-off"),
-                said(done.refused, "rejected by the device"),
-                said(done.different, "written, but read back with other values"),
-                said(done.left, "left out, because the connection may end"),
-            );
-        });
-    }
-
     // ------------------------------------------------------------------------------------------------ recording
 
     #record() {
@@ -602,11 +510,6 @@ class Live {
 /** Creates a collapsible part of the page. */
 function folded(title, children, attributes = {}) {
     return element("details.mip-section", { ...attributes }, element("summary", element("h2", title)), children);
-}
-
-/** Formats a firmware version like the vendor: 1202 is 1.2.02. */
-function versionText(number) {
-    return `${Math.floor(number / 1000)}.${Math.floor(number / 100) % 10}.${String(number % 100).padStart(2, "0")}`;
 }
 
 function portsOf(protocol) {

@@ -2,23 +2,71 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import devices
-from mip_tools.configuration import parsed
-from mip_tools.errors import Failure
-from mip_tools.simulator import VirtualDevice
-from settings_files import LEFT_OUT, pulled, pushed, settable, told
-from support import heavy, model, need, uses
-from workbench import workbench
+from mip_protocol import Device, devices
+from mip_tools.configuration import parsed, talk
+from mip_tools.configuration.written import file_text
+from mip_tools.simulator import LivePort, VirtualDevice
+from mipgen import model as m
+from mipgen.lower import codec
+from support import PATIENCE, heavy, model
+from virtual.commands import commands, trials
 
-#: The workbench is built with npm.
-with_node = uses("npm")
+#: Settings that no file has: actions, values that all select an instance, and what ends the conversation.
+LEFT_OUT = {"filter.tare_orientation", "3dm.data_stream_format"}
+ENDS = {"system.comm_mode", "system.interface_control"}
+
+
+def settable(device: m.Device) -> list[m.Support]:
+    """The commands that can be written, read and saved; a demodulator has none."""
+
+    def letters(functions: Iterable[m.Function]) -> set[str]:
+        return {f.letter for f in functions}
+
+    return [
+        support
+        for support in commands(device)
+        if {"W", "R"} <= letters(support.functions)
+        and "S" in letters(support.field.functions)
+        and support.field.full_name not in LEFT_OUT | ENDS
+    ]
+
+
+def told(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
+    """Writes values of every command that can be written, read and saved; of each, every `only`-th good one."""
+    link = virtual.connect()
+    virtual.idle = True
+    names = set()
+    for support in settable(device):
+        f = support.field
+        every = next((dict(b.all) for b in model("real").simulation.behaviors if b.command is f), {})
+        written = [t for t in trials(support, device) if t.good and t.function and t.function.letter == "W"]
+        good = [t for t in written if not any(t.values[name] == number for name, number in every.items())]
+        for trial in good[only::3]:
+            data = codec.encode(f, trial.values)
+            link.write(codec.build(model("real"), support.set, [(f.descriptor, data)]))
+            virtual.advance(0.02)
+            names.add(f.full_name)
+    virtual.disconnect(link)
+    virtual.idle = False
+    return names
+
+
+def pulled(virtual: VirtualDevice) -> str:
+    with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
+        it = talk.Talk(link, "PORT", pytest.fail)
+        return file_text(it.pull(), it.profile, it.model.id, it.listing.firmware, "2026-01-31")
+
+
+def pushed(virtual: VirtualDevice, path: Path) -> talk.Pushed:
+    with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
+        it = talk.Talk(link, "PORT", pytest.fail)
+        return it.push(parsed.parsed_settings(path, it.profile).commands)
+
 
 #: Settings that a device has in a form of its own: a rotation that was written as a matrix is read as a quaternion.
 ROUNDED = ("transform", "rotation")
@@ -57,79 +105,3 @@ def test_all_settings_of_a_device(tmp_path: Path, device_id: str, only: int) -> 
 def test_what_acts_only_once_is_no_setting() -> None:
     virtual = VirtualDevice("3dm-gx5-25")
     assert virtual.knows("filter.tare_orientation") and "tare_orientation" not in pulled(virtual)
-
-
-# --------------------------------------------------------------------------- the same files in the browser
-
-
-def in_browser(requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The answers of the workbench."""
-    command = [need("node"), Path(__file__).parent / "settings_files.mjs", workbench("real")]
-    asked = "".join(f"{json.dumps(x)}\n" for x in requests)
-    done = subprocess.run(command, input=asked, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return [json.loads(line) for line in done.stdout.splitlines()]
-
-
-@with_node
-@pytest.mark.parametrize("ids", [SAMPLE[:2], pytest.param(sorted(devices.DEVICES), marks=heavy("all models"))])
-def test_the_browser_reads_and_writes_the_same_files(tmp_path: Path, ids: Iterable[str]) -> None:
-    """The same commands in the same order, from and to a file, with values of each setting."""
-    path, requests, held = tmp_path / "settings.yaml", [], []
-    for device_id in ids:
-        virtual, found = VirtualDevice(device_id), model("real").device(device_id)
-        assert found is not None
-        told(found, virtual, 0)
-        path.write_text(pulled(virtual))
-        commands = [bytes(c.packet()).hex() for c in parsed.parsed_settings(path).commands.values()]
-        about = {"model": device_id, "firmware": "1.0.00", "date": "2026-01-31"}
-        requests += [
-            {"device": device_id, "text": path.read_text()},
-            {"device": device_id, "packets": commands, **about},
-        ]
-        held.append((device_id, commands))
-    answers = in_browser(requests)
-    assert sum(len(commands) for _, commands in held) > 100
-    for (device_id, commands), read, written in zip(held, answers[::2], answers[1::2], strict=True):
-        assert read == {"model": device_id, "packets": commands}, device_id
-        path.write_text(written["text"])
-        assert [bytes(c.packet()).hex() for c in parsed.parsed_settings(path).commands.values()] == commands, device_id
-    assert (
-        in_browser([{"device": device_id, "text": x["text"]} for (device_id, _), x in zip(held, answers[1::2])])
-        == answers[::2]
-    )
-
-
-#: Parts of files with mistakes.
-WRONG = (
-    "settings: {3dm: {pps_source_control: {source: receiver_9}}}",
-    "settings: {3dm: {pps_source_control: {sauce: gpio}}}",
-    "settings: {3dm: {pps_source_control: {source}}}",
-    "settings: {3dm: {pps_source: {source: gpio}}}",
-    "settings: {3dn: {}}",
-    "settings: {3dm: {pps_source_control: {}}}",
-    "settings:\n  3dm:\n    pps_source_control: {source: gpio, source: gpio}",
-    "settings: {filter: {antenna_offset: {offset: {x: 1, y: 2}}}}",
-    "settings: {filter: {antenna_offset: {offset: {x: 100, y: 2, z: 3}}}}",
-    "settings: {filter: {antenna_offset: {offset: {x: a, y: 2, z: 3}}}}",
-    "settings: {3dm: {message_format: {sensor: {descriptors: [{descriptor: scaled_acel, decimation: 1}]}}}}",
-    "settings: {3dm: {message_format: {sensor: {descriptors: [{descriptor: scaled_accel}]}}}}",
-    "settings: {3dm: {message_format: {sensor: {descriptors: scaled_accel}}}}",
-    "settings: {3dm: {message_format: {senser: {descriptors: []}}}}",
-    "settings: {3dm: {gpio_config: {1: {feature: gpio, behavior: inptu, pin_mode: [pullup]}}}}",
-    "settings: {base: {comm_speed: {uart_1: {baud: fast}}}}",
-    "settings: {filter: {initialization_config: 3}}",
-)
-
-
-@with_node
-def test_the_browser_refuses_the_same(tmp_path: Path) -> None:
-    """With the same messages, except for the name of the file."""
-    texts = [f"model: 3dm-cv7-gnss-ins\n{part}\n" for part in WRONG]
-    answers = in_browser([{"device": "3dm-cv7-gnss-ins", "text": text} for text in texts])
-    path = tmp_path / "s.yaml"
-    for text, answer in zip(texts, answers, strict=True):
-        path.write_text(text)
-        with pytest.raises(Failure) as raised:
-            parsed.parsed_settings(path)
-        assert answer["error"] == str(raised.value).replace(f"{path}:", ""), text

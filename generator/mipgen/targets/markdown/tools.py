@@ -43,6 +43,6 @@ TOOLS = (
         "live",
         "Live device",
         "Connects to a device at a serial port, or to one that `mip serve` shares: plots and numbers, attitude, "
-        "commands, recordings and settings.",
+        "commands and recordings.",
     ),
 )
