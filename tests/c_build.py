@@ -118,15 +118,16 @@ def compiled(
 
 def units(out: Path, compiler: str, *flags: str, library: Path | None = None, link: Sequence[str | Path] = ()) -> Path:
     """Builds one program that runs all unit programs. `link`: what else it is linked with."""
-    library = library or archive("invented", compiler, *flags)
     prototypes = "".join(f"int unit_{name}(void);\n" for name in UNITS)
     calls = " || ".join(f"unit_{name}() != 0" for name in UNITS)
-    main = out.with_suffix(".c")
-    main.write_text(f"{prototypes}int main(void) {{\n    return {calls};\n}}\n")
-    objects = []
+    out.with_suffix(".c").write_text(f"{prototypes}int main(void) {{\n    return {calls};\n}}\n")
     for name in UNITS:
         source, made = HERE / f"unit/{name}.c", out.with_suffix(f".{name}.o")
         run(need(compiler), *WARNINGS, *flags, include("invented"), f"-Dmain=unit_{name}", "-c", source, "-o", made)
-        objects.append(made)
-    run(need(compiler), *flags, main, *objects, *link, library, "-o", out)
+    return linked(out, compiler, *flags, *link, library or archive("invented", compiler, *flags))
+
+
+def linked(out: Path, compiler: str, *flags: str | Path) -> Path:
+    """Links the program of `units` once more, with another library or parser."""
+    run(need(compiler), out.with_suffix(".c"), *(out.with_suffix(f".{name}.o") for name in UNITS), *flags, "-o", out)
     return out
