@@ -30,7 +30,7 @@ from mip_tools.simulator.endpoints.channel import CAPACITY, Channel
 from mip_tools.simulator.endpoints.endpoint import Endpoint, Pty, pty_at, tcp_at
 from mip_tools.simulator.endpoints.serve import Server
 from mip_tools.simulator.faults import Faults
-from program import DEVICE, PATIENCE, run, running, until
+from program import DEVICE, PATIENCE, mip, run, running, until
 from support import PYTHONPATH
 
 SURE = len(devices.DEVICES[DEVICE].certain)
@@ -494,6 +494,11 @@ def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(capsys, "--version")[1].startswith(version)
     examples = re.findall(r'^  mip simulate (\S+) .*?--port "(.*?)=', run(capsys, "simulate", "--help")[1], re.M)
     assert examples and all(port in {p.name for p in devices.DEVICES[device_id].ports} for device_id, port in examples)
+
+
+def test_it_starts_with_the_standard_library_alone() -> None:
+    """NumPy, which only the replay of a log needs, takes as long to import as all else."""
+    assert "--motion" in mip("simulate", "--help", extras=False)[1]
 
 
 def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,12 +10,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ...binding import Packet, PacketError, Parser
-from ...columns import read_log, timeline
-from ...columns.stamps import NONE
-from ...columns.times import of_packets
 from ...geometry.earth import SECOND, from_utc
 from .state import REST, MotionError, State
 
@@ -78,6 +73,12 @@ class Replay:
 
     def _times(self, data: bytes, packets: Sequence[Packet], rate: float | None, path: str) -> list[float]:
         """Returns when each packet was sent, in s, by the clock of the log; others are evenly spaced between."""
+        import numpy as np  # this motion alone needs it; all others start in half the time
+
+        from ...columns import read_log, timeline
+        from ...columns.stamps import NONE
+        from ...columns.times import of_packets
+
         with read_log(data) as log:
             line = timeline.of_log(log)
             clocks = line.clocks(line.sets)
