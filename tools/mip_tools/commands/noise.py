@@ -25,6 +25,9 @@ examples:
 Record a device that lies still, at its full rate: some minutes for the white noise, hours for the
 bias instability, which is the first minimum of the Allan deviation / 0.664 (IEEE 952). It is an
 upper limit (≤) if the deviation does not rise again up to the longest time, a ninth of the log.
+
+Kalibr and VINS call the white noise the noise density, and take it in rad/s/√Hz and m/s²/√Hz:
+1 °/s/√Hz is 0.01745 rad/s/√Hz, 100 µg/√Hz are 0.000981 m/s²/√Hz.
 """
 _USUAL = ("sensor.scaled_accel", "sensor.scaled_gyro")
 #: Unit -> that of the white noise with its factor, and that of the bias instability with its factor.
