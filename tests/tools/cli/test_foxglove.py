@@ -12,13 +12,13 @@ from contextlib import ExitStack, contextmanager
 from itertools import pairwise
 from typing import Any
 
+import jsonschema_rs
 import pytest
 from mip_tools.files.pages import CONNECTIONS
 from mip_tools.formats import foxglove
 from program import PATIENCE, mip, running, simulated, until
-from support import heavy, later
+from support import heavy
 
-jsonschema = later("jsonschema")
 NAMES = ("sensor.scaled_accel@100", "sensor.scaled_gyro@50", "reference_timestamp@100")
 
 
@@ -90,7 +90,7 @@ def test_clients_get_what_they_ask_for() -> None:
         assert {number for number, *_ in messages} == {7}
         assert {b - a for (_, a, _), (_, b, _) in pairwise(messages)} == {10_000_000}  # in device time
         for *_, values in messages:
-            jsonschema.validate(values, json.loads(channel["schema"]))
+            jsonschema_rs.validate(json.loads(channel["schema"]), values)
             assert values["scaled_accel"].keys() == {"x", "y", "z"}
         first.ask("subscribe", subscriptions=[{"id": 8, "channelId": first.channels[gyro]["id"]}])
         first.ask("unsubscribe", subscriptionIds=[7])
