@@ -14,12 +14,13 @@ import pytest
 from mipgen import cli
 from mipgen.base import resources
 from mipgen.emit import discovery, output
-from support import ROOT, SPECS, all_fields, model, parse_as, tree
+from support import ROOT, SPECS, all_fields, heavy, model, parse_as, tree
 
 SPEC = ("--spec", "tests/invented/spec")
 OUTPUT = SPECS["invented"][1]
 
 
+@heavy("a run in other surroundings")
 def test_the_same_from_anywhere(tmp_path: Path) -> None:
     """Another folder, home, locale, hash seed and time zone; a copy of the project in another place."""
     copy = tmp_path / "copy"

@@ -185,7 +185,7 @@ def test_a_witness_that_cannot_be_read(tmp_path: Path, text: str, message: str) 
 
 
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    arguments = ["--spec", str(ROOT / "spec"), "--witness"]
+    arguments = ["--spec", str(ROOT / "tests/invented/spec"), "--witness"]
     assert main([*arguments, str(tmp_path / "no")]) == 1
     assert "no such folder; write --witness FOLDER" in capsys.readouterr().err
     assert main([*arguments, str(tmp_path)]) == 1

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from program import commands, programs, section
-from support import PATIENCE, PYTHONPATH, ROOT, simulated
+from support import PATIENCE, PYTHONPATH, ROOT, heavy, simulated
 
 PAGE = (ROOT / "docs/contribute-a-device.md").read_text("utf-8")
 
@@ -64,6 +64,7 @@ def test_two_commands(device: str, project: Path) -> None:
     assert "spec/devices/3dm-gx4-25.yaml" in listed
 
 
+@heavy("commands of pages that build or run for long")
 def test_used_right_away(device: str, project: Path) -> None:
     folder, ask, generate, simulate = commands(section(PAGE, "Use it right away"))
     for command in (folder, ask.replace("/dev/ttyACM0", device), generate):

@@ -8,9 +8,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import c_build
 import crates
 import program
 import pytest
+from c_build import SANITIZED
 from program import blocks, section
 from support import BUILD, PYTHONPATH, ROOT, driver, heavy, need, simulated, uses
 
@@ -39,17 +41,8 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def test_quickstart_in_c(tmp_path: Path) -> None:
-    sources = sorted((ROOT / "generated/c/src/mip").glob("*/*.c"))
-    run(
-        need("cc"),
-        "-std=c99",
-        f"-I{ROOT}/generated/c/src",
-        ROOT / "generated/c/quickstart.c",
-        *sources,
-        "-o",
-        tmp_path / "quickstart",
-    )
-    assert run(tmp_path / "quickstart") == "8 bytes to send\n0.2445 g along x\n"
+    program = c_build.compiled(tmp_path / "quickstart", "real", "cc", ROOT / "generated/c/quickstart.c", *SANITIZED)
+    assert run(program) == "8 bytes to send\n0.2445 g along x\n"
 
 
 def test_quickstart_in_python() -> None:

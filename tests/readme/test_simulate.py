@@ -12,8 +12,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from program import blocks, commands, programs, section
-from support import PATIENCE, PYTHONPATH, ROOT, need
+from mip_tools.simulator.faults.kinds import CHANCES, KINDS
+from mip_tools.simulator.motion import MOTIONS
+from program import blocks, commands, mip, programs, section
+from support import PATIENCE, PYTHONPATH, ROOT, heavy, need
 
 PAGE, REFERENCE = ((ROOT / f"docs/{name}.md").read_text("utf-8") for name in ("simulate", "simulate-reference"))
 
@@ -64,6 +66,7 @@ def test_the_c_program_is_exemplary() -> None:
     subprocess.run([need("clang-format"), style, "--dry-run", "-Werror", str(source)], check=True)
 
 
+@heavy("commands of pages that build or run for long")
 def test_a_c_client_without_a_device(tmp_path: Path, shell: dict[str, str]) -> None:
     start, build, client = commands(section(PAGE, "Develop a C firmware client without a device"))
     put = f"{tmp_path}/terminal"
@@ -89,6 +92,7 @@ def free_port() -> str:
         return str(found.getsockname()[1])
 
 
+@heavy("commands of pages that build or run for long")
 def test_a_parser_against_faults(tmp_path: Path, shell: dict[str, str]) -> None:
     start, check = commands(section(PAGE, "Test your own parser against faults"))
     number = free_port()
@@ -116,30 +120,23 @@ def test_the_first_command(tmp_path: Path, shell: dict[str, str]) -> None:
     assert len(listed) == 2 and all(run(c, tmp_path, shell).returncode == 0 for c in listed)
 
 
-def python(code: str) -> str:
-    environment = {"PYTHONPATH": PYTHONPATH}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
 def test_in_python() -> None:
     for program in blocks(section(PAGE, "In Python"), "python"):
-        python(program)
+        environment = {"PYTHONPATH": PYTHONPATH}
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=environment)
+        assert done.returncode == 0, done.stderr
 
 
 def test_every_fault_and_option_is_named() -> None:
-    code = (
-        "from mip_tools.simulator.faults.kinds import CHANCES, KINDS\n"
-        "for chance, text in CHANCES.items():\n"
-        "    print(f'| | **for each {text}** | |')\n"
-        "    for name, k in KINDS.items():\n"
-        "        amount = f'{k.amount:g} {k.unit}' if k.unit else ''\n"
-        "        if k.of == chance: print(f'| `{name}` | {k.description} | {amount} |')"
-    )
+    wanted = []
+    for chance, text in CHANCES.items():
+        wanted.append(f"| | **for each {text}** | |")
+        for name, k in KINDS.items():
+            amount = f"{k.amount:g} {k.unit}" if k.unit else ""
+            wanted += [f"| `{name}` | {k.description} | {amount} |"] * (k.of == chance)
     rows = section(REFERENCE, "Faults").partition("|---|---|---|\n")[2].partition("\n\n")[0]
-    assert rows == python(code).rstrip()
-    text = python("from mip_tools import __main__ as m; m.main(['simulate', '--help'])")
+    assert rows.splitlines() == wanted
+    text = mip("simulate", "--help")[1]
     known = {
         name
         for line in re.findall(r"^  (--.*)", text, re.M)
@@ -150,13 +147,7 @@ def test_every_fault_and_option_is_named() -> None:
 
 
 def test_every_motion_is_named() -> None:
-    code = (
-        "from mip_tools.simulator.motion import MOTIONS\n"
-        "for name, (_, options) in MOTIONS.items():\n"
-        "    print(f'| `{name}` |', ', '.join(f'`{o}`' for o in options), '|')"
-    )
     table = section(REFERENCE, "Motion").partition("| Columns |")[0]
     rows = re.findall(r"^\| `.*?\|.*?\|(?= )", table, re.M)
     motions = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in rows]
-    wanted = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in python(code).splitlines()]
-    assert motions == wanted
+    assert motions == [(f" `{name}` ", set(options)) for name, (_, options) in MOTIONS.items()]
