@@ -103,6 +103,10 @@ def test_a_migration_names_all_that_is_lost(manual: Manual) -> None:
         had, has = ({s.field.full_name for s in d.supports} for d in (guide.migration.before, guide.migration.after))
         told = page_of(manual, guide).partition("## Replacement commands")[2].partition("\n## ")[0]
         assert {f"#{name})" for name in had - has} <= set(re.findall(r"#[\w.]+\)", told))
+        replacements = [list(row.values())[1] for table in tables(told) for row in table]
+        for change, shown in zip(guide.migration.changes, replacements, strict=True):
+            assert re.findall(r"#([\w.]+)\)", shown) == [f.full_name for f in change.by]
+            assert change.by or shown == "nothing"
 
 
 def section(text: str, title: str) -> str:

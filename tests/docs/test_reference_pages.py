@@ -15,6 +15,7 @@ import statistics
 import pytest
 from mipgen import model as m
 from mipgen.emit import naming
+from mipgen.lower import codec
 from mipgen.read.problems import Problems
 from mipgen.resolve.subset import Selection, select
 from mipgen.targets import markdown
@@ -51,6 +52,34 @@ def test_a_link_to_a_device_has_its_name(manual: Manual) -> None:
     assert {of for _, _, of in found} == names.keys()
     series = {of: "-".join(name.split("-")[:2]) for of, name in names.items()}  # the first of a list has its name
     assert [one for one in found if names[one[2]] not in (one[1], series[one[2]] + one[1])] == []
+
+
+def test_a_link_to_a_field_has_its_name(manual: Manual) -> None:
+    """Its title, perhaps with a descriptor or a function, or its symbol; bytes of a packet may be links, too."""
+    fields = {f"{o.set_name}.{f.name}": (f, o.set) for f in manual.model.fields for o in f.occurrences}
+    seen: set[str] = set()
+    for path, text in manual.pages.items():
+        for name, anchor in re.findall(r"\[([^\[\]]*)\]\([^()\s]*#([\w.]+)\)", text):
+            if anchor not in fields or not re.search("[^0-9A-Fx, ()]", name.strip("`")):
+                continue
+            f, set_ = fields[anchor]
+            title, _, numbers = name.strip("`").partition(" (0x")
+            titles = {str(f.title), anchor, f.name, *(f"{f.title}, {c.function.name}" for c in f.calls if c.function)}
+            assert title in titles, (path, name, anchor)
+            assert numbers in {"", f"{set_:02X},0x{f.descriptor:02X})", f"{f.descriptor:02X})"}, (path, name, anchor)
+            seen.add(anchor)
+    assert len(seen) > len(fields) / 2
+
+
+def test_packets_are_whole(manual: Manual) -> None:
+    """Those that a manual prints with a mistake are on the pages of examples, beside the right ones."""
+    shown = 0
+    for path, text in manual.pages.items():
+        for data in re.findall(r"`([0-9A-F]{2}(?: [0-9A-F]{2}){5,})`", text):
+            if data.startswith(bytes(manual.model.protocol.sync).hex(" ").upper()) and "examples/" not in path:
+                codec.split(manual.model, bytes.fromhex(data))
+                shown += 1
+    assert shown > len(manual.model.fields)
 
 
 def test_pages_are_neat(manual: Manual) -> None:
