@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import re
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from mipgen import model as m
-from reference import LINK, Manual, manual_of, number, places, tables, words
-from support import SPECS, need, small, uses
+from reference import LINK, Manual, number, places, tables, words
+from support import uses
 
 with_node = uses("node")
 
@@ -128,179 +125,8 @@ def test_by_the_names_of_the_vendor(manual: Manual) -> None:
     letters_in_order(manual, "vendor", [words(row["Vendor's name"]) for row in found])
 
 
-@pytest.mark.parametrize(
-    "name", ["descriptors", "names", "types", "units", "vendor", "c", "cpp", "python", "rust", "javascript"]
-)
+@pytest.mark.parametrize("name", ["descriptors", "names", "types", "units", "vendor"])
 def test_size_and_links(manual: Manual, name: str) -> None:
     """A page is small enough for a browser; it can be reached from the start and the navigation."""
     assert len(manual.page(f"indexes/{name}.md")) < 600_000
     assert f"(indexes/{name}.md)" in manual.page("index.md")
-
-
-# --------------------------------------------------------------------------- symbols
-
-
-def symbols(manual: Manual, language: str) -> dict[str, tuple[str, list[str]]]:
-    """Symbol of a field or type -> the anchor to which it leads, and its other symbols."""
-    found = [
-        (words(row["Symbol"]), ANCHORED.findall(row["Field or type"])[0], re.findall(r"`([^`]+)`", others))
-        for row in rows(manual, language)
-        for others in (row.get("Functions and constants", ""),)
-    ]
-    assert len({name for name, *_ in found}) == len(found)
-    return {name: (to, others) for name, to, others in found}
-
-
-def test_every_type_and_field_has_symbols(manual: Manual) -> None:
-    of = manual.model
-    every = [*manual.fields, *of.all_types, of.protocol.function_selector]
-    absent = {
-        "c": m.Vector,
-        "cpp": m.Vector,
-        "javascript": (m.Vector, m.Struct),
-    }  # arrays and objects have no name in programs
-    for language in ("c", "cpp", "python", "rust", "javascript"):
-        shown = [to for to, _ in symbols(manual, language).values()]
-        wanted = [anchor(t) for t in every if not isinstance(t, absent.get(language, ()))]
-        assert sorted(shown) == sorted(wanted), language
-
-
-def listed(manual: Manual, language: str) -> set[str]:
-    shown = [x for name, (_, others) in symbols(manual, language).items() for x in (name, *others)]
-    assert language != "c" or len(shown) == len(set(shown))
-    return set(shown)
-
-
-DECLARED_IN_C = re.compile(
-    r"^#define (MIP_\w+)[ (]|^(?:enum|struct|union) (mip_\w+) (?:MIP_ENUM_\d+ )?\{|^typedef \w+ (mip_\w+);"
-    r"|^\s+(MIP_\w+) = |^extern MIP_API const [\w ]*?(mip_\w+)[;\[]|^(?:\w[\w ]*[ *])?(mip_\w+)\(",
-    re.M,
-)
-
-
-@small("symbols of the real bindings")
-def test_symbols_of_c(spec: str) -> None:
-    """The index has the symbols of the headers, without those of sets; some are declared by macros."""
-    manual, source = manual_of(spec), SPECS[spec][1] / "c/src/mip"
-    modules = [re.sub(r"\W", "_", x.name) for x in manual.model.families]
-    headers = ["types.h", "protocol.h", "extra/names.h", *(f"{name}.h" for name in modules)]
-    further = [f"{name}_{end}.h" for name in (*modules, "protocol") for end in ("commands", "inline")]
-    headers += [name for name in further if (source / name).exists()]
-    declared = {
-        next(filter(None, found))
-        for name in headers
-        for found in DECLARED_IN_C.findall((source / name).read_text("utf-8"))
-    }
-    of_sets = {f"MIP_{s.name.upper()}_SET" for s in manual.model.sets}
-    of_core = {"MIP_BARRIER_SET", "MIP_BARRIER_DESCRIPTOR"}  # which a firmware may define
-    written = {name for name in declared - of_sets - of_core if not name.endswith("_H")}
-    headers = "".join(f'#include "mip/{name}"\n' for name in headers)
-    command = [need("cc"), "-E", "-P", f"-I{source.parent}", "-x", "c", "-"]
-    expanded = subprocess.run(command, input=headers, capture_output=True, text=True, check=True).stdout
-    index = listed(manual, "c")
-    assert written <= index and index - written <= set(re.findall(r"\bmip_\w+", expanded))
-
-
-@uses("g++")
-@small("names of the real C++ library")
-def test_symbols_of_cpp(spec: str, tmp_path: Path) -> None:
-    """Programs can use each: types, functions of fields, values of enumerations."""
-    uses = []
-    for name, (_, others) in symbols(manual_of(spec), "cpp").items():
-        uses.append(f"static_assert(sizeof({name}) > 0);")
-        uses += [f"static_assert(sizeof({f'{name}{{}}.{x}' if x.endswith('()') else x}) > 0);" for x in others]
-    program = tmp_path / "symbols.cpp"
-    program.write_text('#include "mip/cpp/mip.hpp"\n' + "\n".join(uses) + "\n")
-    source = SPECS[spec][1] / "c/src"
-    done = subprocess.run(
-        [need("g++"), "-std=c++17", "-fsyntax-only", f"-I{source}", program], capture_output=True, text=True
-    )
-    assert done.returncode == 0 and len(uses) > 50, done.stderr[-2000:]
-
-
-LOOK_UP = """
-import importlib, json, pkgutil, sys
-import mip_protocol
-from mip_protocol import codec, field
-asked = json.load(sys.stdin)
-modules = [importlib.import_module(f"mip_protocol.{name}") for name in {n.split(".")[1] for n in asked}]
-kinds = (field.Field, field.Structure, codec.OpenEnum, __import__("enum").IntFlag)
-there = [f"{m.__name__}.{name}" for m in modules for name, c in vars(m).items()
-         if isinstance(c, type) and c.__module__ == m.__name__ and (issubclass(c, kinds) or hasattr(c, "_fields"))]
-absent = []
-for name, others in asked.items():
-    package, module, cls = name.split(".")
-    c = getattr(importlib.import_module(f"{package}.{module}"), cls)
-    absent += [o for o in others if o.split(".")[0] != cls or not hasattr(c, o.split(".")[1])]
-print(json.dumps([there, absent]))
-"""
-
-
-@small("symbols of the real bindings")
-def test_symbols_of_python(spec: str) -> None:
-    """All classes of the package that are fields or types; the symbols listed with them exist."""
-    found = {name: others for name, (_, others) in symbols(manual_of(spec), "python").items()}
-    done = subprocess.run(
-        [sys.executable, "-c", LOOK_UP], cwd=SPECS[spec][1] / "python", input=json.dumps(found),
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    there, absent = json.loads(done.stdout)
-    assert sorted(there) == sorted(found) and not absent
-
-
-@small("symbols of the real bindings")
-def test_symbols_of_rust(spec: str) -> None:
-    """All types of the modules; the symbols listed with them are in the same module."""
-    manual, source = manual_of(spec), SPECS[spec][1] / "rust/src"
-    texts = {path.stem: path.read_text("utf-8") for path in (source / "sets").glob("*.rs")}
-    texts |= {name: (source / f"{name}.rs").read_text("utf-8") for name in ("types", "protocol")}
-    declared = {
-        f"mip_protocol::{module}::{name}"
-        for module, text in texts.items()
-        for name in re.findall(r"^ +pub (?:struct|enum) (\w+)|", text, re.M)
-        + re.findall(r"^(?:open_enum|bitfield|vector)! \{\n(?: +(?:///|#).*\n)* +(\w+):", text, re.M)
-        if name
-    }
-    found = symbols(manual, "rust")
-    unions = {
-        f"{name.rpartition('::')[0]}::{other}"
-        for name, (_, others) in found.items()
-        for other in others
-        if "::" not in other
-    }
-    assert declared - {"mip_protocol::protocol::DescriptorSet"} == {*found, *unions}  # it is no type of a specification
-    for name, (_, others) in found.items():
-        text = texts[name.split("::")[1]]
-        for other in others:
-            assert re.search(rf"\b{other.rpartition('::')[2]}\b", text), other
-
-
-EXPORTED = """
-import fs from "node:fs";
-const asked = JSON.parse(fs.readFileSync(0, "utf8"));
-const modules = {};
-for (const [name] of asked) modules[name.split(".")[0]] ??= await import(name.split(".")[0]);
-const listed = new Map(asked.map(([name, others]) => {
-    const [module, cls] = name.split(".");
-    return [modules[module][cls], others.map((one) => one.split("."))];
-}));
-const all = Object.values(modules).flatMap((module) => Object.values(module));
-const unlisted = all.filter((thing) => (thing.nameOf || thing.namesOf || thing.NAME) && !listed.has(thing));
-const absent = [...listed].filter(([thing, others]) => !thing || others.some(([, one]) => thing[one] === undefined));
-console.log(listed.size, unlisted.length, absent.length);
-"""
-
-
-@small("symbols of the real bindings")
-@with_node
-def test_symbols_of_javascript(spec: str, tmp_path: Path) -> None:
-    """Every export that is a field or has names for numbers; the symbols listed with it exist."""
-    found = [(name, others) for name, (_, others) in symbols(manual_of(spec), "javascript").items()]
-    (tmp_path / "node_modules").mkdir()
-    (tmp_path / "node_modules/mip-protocol").symlink_to(SPECS[spec][1] / "javascript")
-    (tmp_path / "look_up.mjs").write_text(EXPORTED)
-    done = subprocess.run(
-        [need("node"), tmp_path / "look_up.mjs"], input=json.dumps(found), capture_output=True, text=True, check=False
-    )
-    assert (done.returncode, done.stdout) == (0, f"{len(found)} 0 0\n"), done.stderr

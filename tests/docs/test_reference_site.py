@@ -48,7 +48,7 @@ PAGES = (
     "fields/gnss_data/satellite_status.html",
     "tools/inspector.html", "tools/builder.html#3dm.event_trigger_config", "tools/bandwidth.html#3dm-cv7-gnss-ins",
     "tools/finder.html#lever%20arm", "guides/stream_imu_data.html", "guides/migrate_from_gx5_15_to_cv7.html",
-    "compare/commands.html", "compare/rates.html", "indexes/descriptors.html", "indexes/c.html",
+    "compare/commands.html", "compare/rates.html", "indexes/descriptors.html", "indexes/names.html",
 )  # fmt: skip
 
 
@@ -660,7 +660,7 @@ def test_the_scheme_is_switched_and_kept(page: browser.Page) -> None:
 
 
 #: Pages with very many tables, of a kind that other pages have, too.
-MANY = {"examples/3dm-gx5-15.html", "errata.html", "compare/commands.html", "indexes/c.html"}
+MANY = {"examples/3dm-gx5-15.html", "errata.html", "compare/commands.html", "indexes/descriptors.html"}
 
 #: Widths and colour schemes in which a page is seen.
 WAYS = ((1400, "default"), (390, "default"), (390, "slate"))

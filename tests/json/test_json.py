@@ -163,3 +163,22 @@ def test_what_a_device_deprecates() -> None:
     supports = {d["id"]: {s["field"]: s for s in d["supports"]} for d in whole("invented")["devices"]}
     assert supports["model-c"]["tools.capture_bias"]["deprecated"] == "use `tools.bias` instead"
     assert not any(s.get("deprecated") for s in supports["model-a"].values())
+
+
+@specs
+def test_symbols_are_names_in_the_bindings(spec: str) -> None:
+    """A search for a name in source code finds the field."""
+    folders = {"c": "c/src", "cpp": "c/src", "python": "python", "rust": "rust/src", "javascript": "javascript"}
+    words = {
+        folder: set(
+            re.findall(r"\w+", "".join(p.read_text("utf-8", "ignore") for p in (SPECS[spec][1] / folder).rglob("*.*")))
+        )
+        for folder in {*folders.values()}
+    }
+    wanted = [
+        (language, s)
+        for x in (*whole(spec)["fields"], *whole(spec)["types"])
+        for language, s in x.get("symbols", {}).items()
+    ]
+    assert len(wanted) > 100
+    assert not [(language, s) for language, s in wanted if re.findall(r"\w+", s)[-1] not in words[folders[language]]]

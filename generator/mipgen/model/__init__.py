@@ -70,6 +70,7 @@ from .types import (
     Unit,
     Vector,
     letters,
+    named_parts,
     structs,
     unit_symbols,
 )

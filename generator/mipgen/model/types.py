@@ -251,6 +251,10 @@ def structs(types: Iterable[Type]) -> list[Struct]:
     return [t for t in types if isinstance(t, Struct)]
 
 
+def named_parts(t: Type) -> Iterable[EnumValue | Bits]:
+    return t.values if isinstance(t, Enum) else t.bits if isinstance(t, Bitfield) else ()
+
+
 @dataclass(frozen=True, slots=True)
 class Function:
     """A function selector: the action that a settings command requests."""

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 
 from mipgen import model as m
 from mipgen.emit import package
-from mipgen.emit.symbols import named_parts
 from mipgen.emit.target import File, Identifier, Target
 from mipgen.lower import calls
 from mipgen.targets.json import api as json_document
@@ -54,7 +53,7 @@ def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | No
         for p in calls.members(t):
             yield names.member(p.name), p.name, p.position
     else:
-        for part in named_parts(t):
+        for part in m.named_parts(t):
             yield names.constant(part.name), part.name, part.position
 
 

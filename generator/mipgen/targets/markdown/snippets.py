@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from mipgen import model as m
-from mipgen.emit.symbols import Symbols
 from mipgen.facts.sample_values import GivenValues, SampleValues
 from mipgen.targets.c import api as c
 from mipgen.targets.javascript import api as javascript
@@ -29,34 +28,16 @@ class Language:
     name: str  # in paths, and of fenced blocks
     suffix: str  # of files
     programs: Callable[[SampleValues], Programs]
-    symbols: Callable[[m.Model], Iterator[Symbols]]
-    listed: str  # what its index of symbols lists
     remark: str = "// {}"
 
 
 LANGUAGES = (
-    Language(
-        "C", "c", "c", c.Programs, c.symbols,
-        "structures, types, functions and constants of the library `mip` for each field and type", "/* {} */",
-    ),
-    Language(
-        "C++", "cpp", "cpp", c.CppPrograms, c.cpp_symbols,
-        "structures, enumerations and commands of the library `mip` in C++17 for each field and type",
-    ),
-    Language(
-        "Python", "python", "py", python.Programs, python.symbols,
-        "classes, constructors and constants of the package `mip_protocol` for each field and type",
-    ),
-    Language(
-        "Rust", "rust", "rs", rust.Programs, rust.symbols,
-        "types, constructors, methods and constants of the crate `mip-protocol` for each field and type",
-    ),
-    Language(
-        "JavaScript", "javascript", "mjs", javascript.Programs, javascript.symbols,
-        "classes, constructors and constants of the package `mip-protocol` for each field, enumeration and bitfield, "
-        "preceded\nby the module that exports them",
-    ),
-)  # fmt: skip
+    Language("C", "c", "c", c.Programs, "/* {} */"),
+    Language("C++", "cpp", "cpp", c.CppPrograms),
+    Language("Python", "python", "py", python.Programs),
+    Language("Rust", "rust", "rs", rust.Programs),
+    Language("JavaScript", "javascript", "mjs", javascript.Programs),
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from mipgen import model as m
-from mipgen.emit.symbols import named_parts
 from mipgen.facts import describe
 
 from . import names
@@ -158,5 +157,5 @@ def _constants(p: m.Parameter) -> Iterator[tuple[str, str, int]]:
     named = p.leaf.named
     if named is not None and not p.by_device and p.leaf.kind != "bits":
         scalar = names.SCALARS[p.leaf.scalar.name]
-        for part in named_parts(named):
+        for part in m.named_parts(named):
             yield scalar, names.constant(p, part.name), part.mask if isinstance(part, m.Bits) else part.value

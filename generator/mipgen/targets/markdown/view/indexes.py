@@ -1,16 +1,14 @@
-"""Indexes by descriptor, name, type, unit, symbol of a language, and the vendor's name."""
+"""Indexes by descriptor, name, type, unit, and the vendor's name."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 from mipgen import model as m
 
 from ..offsets import parameter_offsets
 from ..places import Page, label
-from ..snippets import LANGUAGES, Language
 from ..text import code, hexadecimal, inline, table
 from .devices import Section
 from .parameters import parameter_anchor
@@ -131,21 +129,6 @@ def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
             yield key, link
 
 
-# --------------------------------------------------------------------------- by symbol
-
-
-def by_symbol(language: Language, page: Page) -> list[Section]:
-    """Lists the symbols of a binding for each field and type, in one table for each set."""
-    headings = ["Symbol", "Field or type", "Functions and constants"]
-    rows: dict[str, list[list[str]]] = {}
-    for x in language.symbols(page.model):
-        family = page.model.family(x.thing.owner or "")
-        rows.setdefault(label(family) if family else "Protocol and common types", []).append(
-            [code(x.name), page.link(x.thing), ", ".join(map(code, x.others))]
-        )
-    return [Section(title, table(group, headings)) for title, group in rows.items()]
-
-
 # --------------------------------------------------------------------------- all of them
 
 INDEXES = (
@@ -162,11 +145,5 @@ INDEXES = (
     IndexPage(
         "vendor", "By the vendor's names", "Index by the vendor's names",
         "Other names of fields and devices, as used in the vendor's manuals and software.", vendor,
-    ),
-    *(
-        IndexPage(
-            x.name, f"Symbols in {x.title}", f"Index of symbols in {x.title}", f"The {x.listed}.", partial(by_symbol, x)
-        )
-        for x in LANGUAGES
     ),
 )  # fmt: skip

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from mipgen import model as m
-from mipgen.emit import symbols
 from mipgen.facts import describe
 from mipgen.model.parameters import alike
 
@@ -222,7 +221,7 @@ def parts(t: m.Enum | m.Bitfield | m.Vector, about: docs.Docs) -> Iterator[tuple
 
 def part_names(t: m.Type) -> Iterator[tuple[str, m.EnumValue | m.Bits]]:
     """Yields the names of the constants and methods of values and bits, and what each is named after."""
-    for part in symbols.named_parts(t):
+    for part in m.named_parts(t):
         yield names.constant(part.name), part
         if isinstance(part, m.Bits):
             yield from ((name, part) for name in (names.method(part.name), f"set_{part.name}", f"with_{part.name}"))
