@@ -1563,7 +1563,7 @@ export declare class GnssPositionAidingStatus extends Data {
     receiverId: number;
     /** GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. */
     tow: number;
-    /** How the filter uses the measurements. */
+    /** State of the measurements in the filter. */
     status: GnssAidingStatus;
     /** Reserved. */
     reserved: number[];
@@ -1587,7 +1587,7 @@ export declare class GnssAttitudeAidingStatus extends Data {
      * this is the time of the measurement or that of its processing.
      */
     tow: number;
-    /** How the filter uses the measurements. */
+    /** State of the measurements in the filter. */
     status: GnssAidingStatus;
     /** Reserved. Reserved. */
     reserved: number[];

@@ -9755,7 +9755,7 @@ types:
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
-        doc: How the filter uses the measurements.
+        doc: State of the measurements in the filter.
       - id: reserved
         type: u1
         repeat: expr
@@ -9770,7 +9770,7 @@ types:
         doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
       - id: status
         type: filter_data_gnss_aiding_status
-        doc: How the filter uses the measurements.
+        doc: State of the measurements in the filter.
       - id: reserved
         type: u1
         repeat: expr

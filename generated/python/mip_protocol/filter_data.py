@@ -2991,7 +2991,7 @@ class GnssPositionAidingStatus(Data):
     tow: float
     """GPS time of week of the last measurement. Unit: s. Range: 0 to 604800."""
     status: GnssAidingStatus
-    """How the filter uses the measurements."""
+    """State of the measurements in the filter."""
     reserved: tuple[int, ...]
     """Reserved."""
 
@@ -3053,7 +3053,7 @@ class GnssAttitudeAidingStatus(Data):
     not known whether this is the time of the measurement or that of its processing.
     """
     status: GnssAidingStatus
-    """How the filter uses the measurements."""
+    """State of the measurements in the filter."""
     reserved: tuple[int, ...]
     """Reserved. Reserved."""
 

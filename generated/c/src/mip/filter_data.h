@@ -1774,7 +1774,7 @@ struct mip_filter_data_gnss_position_aiding_status {
     uint8_t receiver_id;
     /** GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. */
     float tow;
-    /** How the filter uses the measurements. */
+    /** State of the measurements in the filter. */
     mip_filter_data_gnss_aiding_status status;
     /** Reserved. */
     uint8_t reserved[8];
@@ -1801,7 +1801,7 @@ struct mip_filter_data_gnss_attitude_aiding_status {
      * not known whether this is the time of the measurement or that of its processing.
      */
     float tow;
-    /** How the filter uses the measurements. */
+    /** State of the measurements in the filter. */
     mip_filter_data_gnss_aiding_status status;
     /** Reserved. Reserved. */
     uint8_t reserved[8];

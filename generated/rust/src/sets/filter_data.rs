@@ -3045,7 +3045,7 @@ record! {
         /// Unit: s. Range: 0 to 604800.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
-        /// How the filter uses the measurements.
+        /// State of the measurements in the filter.
         pub status: GnssAidingStatus,
         /// Reserved.
         pub reserved: [u8; 8],
@@ -3095,7 +3095,7 @@ record! {
         /// measurement or that of its processing.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
-        /// How the filter uses the measurements.
+        /// State of the measurements in the filter.
         pub status: GnssAidingStatus,
         /// Reserved.
         ///
