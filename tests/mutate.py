@@ -73,7 +73,7 @@ PARTS = {
         ("templates/c/**/*.j2", "runtime/c/**/*.[ch]", "runtime/c/**/*.hpp", "generator/mipgen/targets/c/*.py"),
         ("c",), ("tests/c", "tests/cpp"), "c- or c] or cpp",
     ),
-    "tools": Part(("tools/mip_tools/**/*.py",), (), ("tests/tools",)),
+    "tools": Part(("tools/mip_*/**/*.py",), (), ("tests/tools",)),
     "python": Part(
         ("templates/python/**/*.j2", "runtime/python/**/*.py", "generator/mipgen/targets/python/*.py"),
         ("python",), ("tests/python",), "python",

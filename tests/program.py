@@ -19,8 +19,8 @@ from tempfile import TemporaryFile
 from typing import Any
 
 from mip_protocol import base, mip_3dm, types
+from mip_simulator import VirtualDevice
 from mip_tools import __main__
-from mip_tools.simulator import VirtualDevice
 from pytest import MonkeyPatch
 from support import PATIENCE, PYTHONPATH
 

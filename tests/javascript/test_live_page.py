@@ -11,9 +11,9 @@ from contextlib import contextmanager
 import browser
 import pytest
 from mip_protocol import PacketBuilder, Parser, sensor
-from mip_tools.simulator import Faults, LivePort, VirtualDevice
-from mip_tools.simulator.faults.kinds import parse_faults
-from mip_tools.simulator.motion import parse_motion
+from mip_simulator import Faults, LivePort, VirtualDevice
+from mip_simulator.faults.kinds import parse_faults
+from mip_simulator.motion import parse_motion
 from mip_tools.web.server import Server
 from support import heavy
 from workbench import workbench

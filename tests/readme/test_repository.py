@@ -30,9 +30,18 @@ def test_files_of_the_host(path: Path) -> None:
         assert (ROOT / name).exists(), name
 
 
-def test_citation_has_the_version() -> None:
-    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
-    assert citation["version"] == yaml.safe_load((ROOT / "spec/protocol.yaml").read_text("utf-8"))["version"]
+@pytest.mark.parametrize(
+    ("path", "pattern"),
+    [
+        ("CITATION.cff", "^version: (.*)"),
+        ("tools/mip_tools/__init__.py", '^__version__ = "(.*)"'),
+        ("tools/mip_simulator/__init__.py", '^__version__ = "(.*)"'),
+        ("tools/mip_simulator/pyproject.toml", '"mip-tools==(.*?)"'),
+    ],
+)
+def test_what_has_the_version_of_the_specification(path: str, pattern: str) -> None:
+    version = yaml.safe_load((ROOT / "spec/protocol.yaml").read_text("utf-8"))["version"]
+    assert re.findall(pattern, (ROOT / path).read_text("utf-8"), re.M) == [version]
 
 
 #: Folders with pages for readers, and those whose files and folders are named from the top of the project.

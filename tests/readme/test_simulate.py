@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from mip_tools.simulator.faults.kinds import CHANCES, KINDS
-from mip_tools.simulator.motion import MOTIONS
+from mip_simulator.faults.kinds import CHANCES, KINDS
+from mip_simulator.motion import MOTIONS
 from program import blocks, commands, mip, programs, section
 from support import PATIENCE, PYTHONPATH, ROOT, heavy, need
 
@@ -116,7 +116,7 @@ def test_the_first_command(tmp_path: Path, shell: dict[str, str]) -> None:
     with device(command.replace("/tmp/mip", f"{tmp_path}/terminal"), tmp_path, shell):
         assert (tmp_path / "terminal").is_symlink()
     assert not (tmp_path / "terminal").is_symlink()
-    listed = re.findall(r"^    (mip simulate --\w+)", PAGE, re.M)
+    listed = re.findall(r"^    (mip \w+ --\w+)", PAGE, re.M)
     assert len(listed) == 2 and all(run(c, tmp_path, shell).returncode == 0 for c in listed)
 
 

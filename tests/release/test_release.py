@@ -115,7 +115,10 @@ def test_sums_bill_and_notes_name_everything() -> None:
         n for n in files if n.startswith("mip_tools")
     ]
     assert all(re.match(r"[0-9.]+$", version) for version, _ in libraries.values())
-    assert [name for name, (_, scope) in libraries.items() if scope == "required"] == ["pkg:pypi/numpy"]
+    assert [name for name, (_, scope) in libraries.items() if scope == "required"] == [
+        "pkg:pypi/mip-tools",  # of mip-simulator
+        "pkg:pypi/numpy",
+    ]
     assert {"pkg:cargo/serde", "pkg:pypi/pyserial", "pkg:pypi/mcap"} < libraries.keys()
     changes = (ROOT / "CHANGELOG.md").read_text("utf-8").partition("\n## ")[2].partition("\n")[2].strip()
     assert changes.startswith((dist() / "NOTES.md").read_text("utf-8").strip())
@@ -126,14 +129,16 @@ def test_sums_bill_and_notes_name_everything() -> None:
 def test_python(tmp_path: Path, form: str) -> None:
     run(sys.executable, "-m", "venv", "--without-pip", tmp_path / "venv", cwd=tmp_path)
     python, mip = tmp_path / "venv/bin/python", tmp_path / "venv/bin/mip"
-    packages = [the("mip_protocol*.whl"), the("mip_tools*.whl")]
+    names = ("mip_protocol", "mip_simulator", "mip_tools")
+    packages = [the(f"{name}*.whl") for name in names]
     if form == "source":
-        sources = [the("mip_protocol*.tar.gz"), the("mip_tools*.tar.gz")]
+        sources = [the(f"{name}*.tar.gz") for name in names]
         built = ("wheel", "--no-build-isolation", "--no-index", "--no-deps", "--wheel-dir", tmp_path / "wheels")
         run(sys.executable, "-m", "pip", *built, *sources, cwd=tmp_path)
         packages = sorted((tmp_path / "wheels").iterdir())
-    install = ("--python", python, "install", "--no-index", "--no-deps", *packages)
-    run(sys.executable, "-m", "pip", *install, cwd=tmp_path)
+    protocol, simulator, tools = packages
+    install = (sys.executable, "-m", "pip", "--python", python, "install", "--no-index", "--no-deps")
+    run(*install, protocol, tools, cwd=tmp_path)
     assert "g" in run(python, ROOT / "generated/python/quickstart.py", cwd=tmp_path)
     assert "scaled_accel = (x=0.24452066" in run(mip, "dump", *MESSAGE.split(), cwd=tmp_path)
     (site,) = (tmp_path / "venv/lib").glob("python*/site-packages")
@@ -144,6 +149,9 @@ def test_python(tmp_path: Path, form: str) -> None:
     (tmp_path / "log.bin").write_bytes(bytes.fromhex(MESSAGE))
     run(mip, "export", "log.bin", "-o", "log.csv", cwd=tmp_path)
     assert "0.24452066" in (tmp_path / "log.csv").read_text("utf-8")
+    assert not (site / "mip_simulator").exists()
+    run(*install, simulator, cwd=tmp_path)
+    assert "localhost:" in run(mip, "simulate", "3dm-gx5-15", "--tcp", "0", "--duration", "0.01", cwd=tmp_path)
 
 
 @packaging

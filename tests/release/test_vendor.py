@@ -100,6 +100,7 @@ def test_folders_are_used(tmp_path: Path) -> None:
     pip = pip.replace("pip install", f"{sys.executable} -m pip install --no-deps --no-build-isolation")
     run(pip, tmp_path, PIP_TARGET=str(tmp_path / "site"), MIP_TOOLS_PURE="1")
     assert (tmp_path / "site/mip_tools/__main__.py").is_file()
+    assert (tmp_path / "site/mip_simulator/command.py").is_file()
     shutil.copyfile(ROOT / "generated/python/quickstart.py", tmp_path / "quickstart.py")
     assert " g" in run(f"{sys.executable} quickstart.py", tmp_path, PYTHONPATH=str(tmp_path / "site"))
 

@@ -60,7 +60,7 @@ def test_columns_and_a_virtual_device_of_two_fields(own: Path) -> None:
     code = f"""
 import mip_tools
 mip_tools.use({str(own)!r})
-from mip_tools.simulator import VirtualDevice
+from mip_simulator import VirtualDevice
 from {package(own).name} import Parser, registry
 device = VirtualDevice("my-device")
 link = device.connect()

@@ -24,11 +24,11 @@ import mip_tools
 import numpy as np
 import pytest
 from mip_protocol import Parser, base, mip_3dm, types
+from mip_simulator import VirtualDevice
+from mip_simulator.endpoints.endpoint import tcp_at
+from mip_simulator.endpoints.serve import Server
+from mip_simulator.streams import formats
 from mip_tools.devices.known import read_by_device
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.endpoints.endpoint import tcp_at
-from mip_tools.simulator.endpoints.serve import Server
-from mip_tools.simulator.streams import formats
 from mipgen import model as m
 from mipgen.lower import codec, validity
 from program import mip

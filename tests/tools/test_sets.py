@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 from mip_protocol import Parser, gnss_data, registry
+from mip_simulator import VirtualDevice
 from mip_tools.columns import read_log
 from mip_tools.devices.facts import VALUES, FieldValues, value_sources
-from mip_tools.simulator import VirtualDevice
 from program import run
 
 Dop = gnss_data.Dop

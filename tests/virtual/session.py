@@ -20,10 +20,10 @@ from virtual.commands import Trial
 sys.path.insert(0, str(ROOT / "generated/python"))
 
 from mip_protocol.packet import SYNC
+from mip_simulator.device import VirtualDevice
+from mip_simulator.faults import Faults, Injected
+from mip_simulator.faults.kinds import KINDS
 from mip_tools.devices.profiles import assumed_rates, device_named
-from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.faults import Faults, Injected
-from mip_tools.simulator.faults.kinds import KINDS
 
 __all__ = ["KINDS", "START", "Event", "Session", "Witness", "assumed_rates", "device_named"]
 

@@ -18,7 +18,7 @@ from support import ROOT, model
 sys.path.insert(0, str(ROOT / "generated/python"))
 
 from mip_protocol import Parser
-from mip_tools.simulator.device import VirtualDevice
+from mip_simulator.device import VirtualDevice
 
 #: Seconds for which data are counted.
 LONG = 3.0

@@ -1,4 +1,4 @@
-"""The command line `mip`, logs as columns, and a virtual device, for any generated package.
+"""The command line `mip`, and logs as columns, for any generated package.
 
 `mip_tools.use` selects the package; the default is `mip_protocol`.
 """
@@ -15,17 +15,15 @@ __version__ = "0.2.0"
 # For type checkers and editors; otherwise modules are imported when they are first used.
 if TYPE_CHECKING:
     from .columns import read_log as read_log  # not in __all__, as it needs NumPy
-    from .simulator import VirtualDevice as VirtualDevice
 else:
 
     def __getattr__(name: str) -> Any:
-        homes = {"read_log": ".columns", "VirtualDevice": ".simulator"}
-        if name not in homes:
+        if name != "read_log":
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        return getattr(import_module(homes[name], __name__), name)
+        return import_module(".columns", __name__).read_log
 
     def __dir__() -> list[str]:
-        return ["VirtualDevice", "__version__", "read_log", "use"]
+        return ["__version__", "read_log", "use"]
 
 
 __all__ = ["use"]

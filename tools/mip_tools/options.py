@@ -32,7 +32,7 @@ def add_selection(parser: argparse.ArgumentParser) -> None:
 
 def add_device(
     parser: argparse.ArgumentParser,
-    use: str = "the model, instead of the one that the device reports; `mip simulate --list` lists them",
+    use: str = "the model, instead of the one that the device reports; `mip fields --devices` lists them",
 ) -> None:
     """Adds the option that names a device; its value is the id."""
     parser.add_argument("--device", type=lambda name: device_named(name).id, metavar="DEVICE", help=use)

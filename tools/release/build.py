@@ -131,7 +131,9 @@ def needs(dist: Path) -> dict[str, dict[str, bool]]:
     for wheel in dist.glob("*.whl"):
         with zipfile.ZipFile(wheel) as packed:
             (name,) = (x for x in packed.namelist() if x.endswith(".dist-info/METADATA"))
-            listed = [Requirement(x) for x in message_from_bytes(packed.read(name)).get_all("Requires-Dist", [])]
+            about = message_from_bytes(packed.read(name))
+        listed = [Requirement(x) for x in about.get_all("Requires-Dist", [])]
+        listed = [x for x in listed if x.name != about["Name"]]  # an extra of all extras names its own package
         needed[wheel.name] = {f"pkg:pypi/{x.name}": True for x in listed if x.marker is None}
         needed[wheel.name] |= {
             f"pkg:pypi/{x.name}": False for x in listed if f"pkg:pypi/{x.name}" not in needed[wheel.name]
@@ -162,7 +164,8 @@ def bill(digests: dict[str, str], needed: dict[str, dict[str, bool]]) -> str:
         serial_number=uuid.uuid5(uuid.NAMESPACE_URL, json.dumps(digests)),
         metadata=BomMetaData(timestamp=datetime.fromtimestamp(EPOCH, timezone.utc), component=about),
     )
-    versions, libraries = tested(), {}
+    own = {f"pkg:pypi/{name.partition('-')[0].replace('_', '-')}": VERSION for name in digests if name.endswith(".whl")}
+    versions, libraries = tested() | own, {}
     for address in sorted({address for listed in needed.values() for address in listed}):
         required = any(listed.get(address) for listed in needed.values())
         purl = PackageURL.from_string(f"{address}@{versions[address]}")
@@ -189,6 +192,7 @@ def release(dist: Path, site: Path | None) -> None:
     dist.mkdir(parents=True)
     python(GENERATED / "python", dist)
     python(ROOT / "tools", dist)
+    python(ROOT / "tools/mip_simulator", dist)
     rust(GENERATED / "rust", dist)
     javascript(GENERATED / "javascript", dist)
     archive(GENERATED / "c", dist / f"mip-c-{VERSION}.zip", "mip")

@@ -20,6 +20,7 @@ MANIFESTS = {
     "CITATION.cff": r"^repository-code: \"?([^\"\s]+)",
     "pyproject.toml": r"^Repository = \"(.*)\"",
     "tools/pyproject.toml": r"^Repository = \"(.*)\"",
+    "tools/mip_simulator/pyproject.toml": r"^Repository = \"(.*)\"",
     "generated/c/idf_component.yml": r"^repository: (.*)",
     "generated/c/library.json": r"\"type\": \"git\", \"url\": \"(.*?)\"",
     "generated/c/library.properties": r"^url=(.*)",

@@ -9,8 +9,8 @@ import sys
 import pytest
 from mip_protocol import mip_3dm, registry, types
 from mip_protocol.field import Command
-from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.endpoints.endpoint import tcp_at
+from mip_simulator.device import VirtualDevice
+from mip_simulator.endpoints.endpoint import tcp_at
 from support import ROOT, model
 from test_ports import DEVICE, serving
 

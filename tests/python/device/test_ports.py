@@ -24,12 +24,12 @@ import pytest
 import serial
 from both import Kind, Peer, acknowledge, packet
 from mip_protocol import base, mip_3dm, sensor, shared, timestamps, types
+from mip_simulator import LivePort
+from mip_simulator.device import VirtualDevice
+from mip_simulator.endpoints.endpoint import Endpoint, pty_at, tcp_at
+from mip_simulator.endpoints.serve import Server
+from mip_simulator.faults import Faults
 from mip_tools.sentences import Sentences
-from mip_tools.simulator import LivePort
-from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.endpoints.endpoint import Endpoint, pty_at, tcp_at
-from mip_tools.simulator.endpoints.serve import Server
-from mip_tools.simulator.faults import Faults
 from support import PATIENCE, ROOT, expected_parse
 
 DEVICE = "3dm-cv7-gnss-ins"

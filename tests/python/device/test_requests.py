@@ -30,8 +30,8 @@ from mip_protocol import (
     types,
 )
 from mip_protocol import device as sync
+from mip_simulator.device import VirtualDevice
 from mip_tools.sentences import Sentences
-from mip_tools.simulator.device import VirtualDevice
 from support import PATIENCE, ROOT
 
 DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")

@@ -11,9 +11,9 @@ import pytest
 from both import packet
 from mip_protocol import Packet, Parser, Samples, mip_3dm, samples, timestamps, types
 from mip_protocol.sampling import MOST
+from mip_simulator.device import VirtualDevice
 from mip_tools import sentences
 from mip_tools.sentences import Sentences
-from mip_tools.simulator.device import VirtualDevice
 
 
 def test_the_examples_in_the_documentation() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from mip_protocol import device
-from mip_tools.simulator import live
+from mip_simulator import live
 from program import PATIENCE
 
 #: The functions whose default is the time-out for replies.

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 from mip_protocol import AckCode, Device, MissingResponse, Packet, Refused, base, mip_3dm, registry, system, types
 from mip_protocol.errors import Cause
+from mip_simulator import LivePort, VirtualDevice
 from mip_tools.configuration.talk import Talk, nack_text
 from mip_tools.ports import connection
-from mip_tools.simulator import LivePort, VirtualDevice
 from program import mip
 
 MODEL = "3dm-cv7-gnss-ins"

@@ -10,9 +10,9 @@ import threading
 from collections.abc import Iterator
 
 import pytest
+from mip_simulator import VirtualDevice
 from mip_tools.commands import corrections
 from mip_tools.rtcm import Frames, checksum, number
-from mip_tools.simulator import VirtualDevice
 from program import mip, running, simulated
 
 TABLE = b"STR;NEAR;town;RTCM 3.2\r\nSTR;FAR;town;RTCM 3.2\r\nENDSOURCETABLE\r\n"

@@ -22,6 +22,8 @@ import numpy as np
 import pytest
 import timed_packets
 from mip_protocol import PacketBuilder, Parser, base, filter_data, mip_3dm, sensor, shared, types
+from mip_simulator import VirtualDevice
+from mip_simulator.motion import parse_motion
 from mip_tools.columns import read_log
 from mip_tools.doctor import findings, stream
 from mip_tools.doctor.events import Event, merged_events
@@ -29,8 +31,6 @@ from mip_tools.doctor.examined import Examined
 from mip_tools.doctor.port import Patient, why_not_open
 from mip_tools.doctor.values import _Channel
 from mip_tools.logs import report
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.motion import parse_motion
 from program import DEVICE, mip, simulated
 
 Rates = dict[int, tuple[tuple[int, int], ...]]

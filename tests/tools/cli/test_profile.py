@@ -17,11 +17,11 @@ from typing import Any
 import pytest
 from mip_protocol import Device, _sets, base, devices, mip_3dm, types
 from mip_protocol import profile as profiles
+from mip_simulator import LivePort, VirtualDevice
+from mip_simulator.faults import Faults
+from mip_simulator.faults.kinds import parse_faults
 from mip_tools.errors import Failure
 from mip_tools.ports import device_file, listing
-from mip_tools.simulator import LivePort, VirtualDevice
-from mip_tools.simulator.faults import Faults
-from mip_tools.simulator.faults.kinds import parse_faults
 from mipgen import model as m
 from mipgen.resolve.load import load_model
 from program import ENVIRONMENT, mip, running
@@ -321,7 +321,7 @@ import sys
 from pathlib import Path
 from mip_protocol import Device, devices
 from mip_tools.ports import device_file, listing
-from mip_tools.simulator import LivePort, VirtualDevice
+from mip_simulator import LivePort, VirtualDevice
 from mip_tools.devices.profiles import certain
 
 out = Path(sys.argv[1])

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 from mip_protocol import registry
+from mip_simulator import VirtualDevice
 from mip_tools import __main__
 from mip_tools.devices.profiles import device_named
 from mip_tools.names import search
-from mip_tools.simulator import VirtualDevice
 from program import DEVICE, ENVIRONMENT, RECOGNIZED, log, on_a_full_disk, run
 from random_values import chance
 from support import ROOT, rounds

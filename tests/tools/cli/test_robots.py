@@ -14,6 +14,7 @@ from typing import Any
 import jsonschema_rs
 import pytest
 from mip_protocol import PacketBuilder, Parser, filter_data, registry, shared
+from mip_simulator import VirtualDevice
 from mip_tools.binding import info
 from mip_tools.columns import read_log
 from mip_tools.formats import messages
@@ -21,7 +22,6 @@ from mip_tools.formats.json_messages import message_values, schema
 from mip_tools.names.occurrence import occurrence_in
 from mip_tools.ros import axes, standard
 from mip_tools.ros.types import Types
-from mip_tools.simulator import VirtualDevice
 from program import DEVICE, log, mip
 from support import heavy, later
 from test_doctor import sent, started

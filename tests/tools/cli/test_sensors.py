@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 from mip_protocol import base, mip_3dm, types
+from mip_simulator import VirtualDevice
+from mip_simulator.motion import Trajectory
+from mip_simulator.surroundings.noise import Noise
 from mip_tools.analysis import allan, ellipsoid
 from mip_tools.devices.facts import NOISE
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.motion import Trajectory
-from mip_tools.simulator.surroundings.noise import Noise
 from program import mip, running
 
 IRON = (0.08, -0.05, 0.11)

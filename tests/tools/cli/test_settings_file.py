@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 from mip_protocol import Device, devices
+from mip_simulator import LivePort, VirtualDevice
 from mip_tools.configuration import parsed, talk
 from mip_tools.configuration.written import file_text
-from mip_tools.simulator import LivePort, VirtualDevice
 from mipgen import model as m
 from mipgen.lower import codec
 from support import PATIENCE, heavy, model

@@ -18,10 +18,10 @@ from typing import Any
 
 import pytest
 from mip_protocol import base, sensor
+from mip_simulator import VirtualDevice
 from mip_tools import read_log
 from mip_tools.columns.raw_times import raw
 from mip_tools.columns.stamps import NONE
-from mip_tools.simulator import VirtualDevice
 from program import mip, simulated
 from support import heavy, later
 from timed_packets import cases_of_devices, packet

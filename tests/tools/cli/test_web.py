@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 from mip_protocol import base
+from mip_simulator import LivePort, VirtualDevice
 from mip_tools.errors import Failure
 from mip_tools.files import pages
 from mip_tools.files.pages import CONNECTIONS
-from mip_tools.simulator import LivePort, VirtualDevice
 from mip_tools.web.server import Server
 from program import DEVICE, PATIENCE, mip, running, simulated, until
 

@@ -8,12 +8,12 @@ from typing import Any
 
 from mip_protocol import Command, aiding, base, mip_3dm, reflection, registry
 from mip_protocol import filter as commands
+from mip_simulator import VirtualDevice
+from mip_simulator.motion import Circle
+from mip_simulator.streams.values import encoder
 from mip_tools.devices import facts
 from mip_tools.devices.checks import NOTHING
 from mip_tools.devices.codes import SETS as FUNCTIONS
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.motion import Circle
-from mip_tools.simulator.streams.values import encoder
 from simulated_world import SETS, TYPES
 from simulator_host import Host
 

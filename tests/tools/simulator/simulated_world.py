@@ -8,9 +8,9 @@ from mip_protocol import registry
 from mip_protocol.devices import by_name
 from mip_protocol.field import Data
 from mip_protocol.profile import Device
-from mip_tools.simulator.motion import Motion
-from mip_tools.simulator.streams.values import encoder
-from mip_tools.simulator.world.world import World
+from mip_simulator.motion import Motion
+from mip_simulator.streams.values import encoder
+from mip_simulator.world.world import World
 
 #: The data fields of each set -> their sets.
 SETS = {kind.name_in(number): number for number, kind in registry.all_types() if issubclass(kind, Data)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mip_protocol import Answer, Client, Command, Packet, Parser, Received
-from mip_tools.simulator import VirtualDevice
+from mip_simulator import VirtualDevice
 
 
 class Host:

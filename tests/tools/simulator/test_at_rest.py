@@ -7,7 +7,7 @@ from dataclasses import astuple, is_dataclass
 from typing import Any
 
 import pytest
-from mip_tools.simulator.motion import Standing
+from mip_simulator.motion import Standing
 from mipgen import model as m
 from simulated_world import Shown
 from support import model

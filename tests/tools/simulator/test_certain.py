@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from mip_protocol import Parser, base, devices, mip_3dm, types
 from mip_protocol.devices import Support
+from mip_simulator import VirtualDevice
 from mip_tools import __main__
 from mip_tools.devices.profiles import assumed_rates, certain
-from mip_tools.simulator import VirtualDevice
 from simulator_host import Host
 
 IDS = list(devices.DEVICES)

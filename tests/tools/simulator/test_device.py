@@ -29,12 +29,12 @@ from mip_protocol import (
     system_data,
     types,
 )
+from mip_simulator import VirtualDevice
+from mip_simulator.commands import effects
+from mip_simulator.streams import formats
 from mip_tools.devices.facts import COMMANDS
 from mip_tools.devices.settings import command_type, instance_keys
 from mip_tools.errors import Failure
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.commands import effects
-from mip_tools.simulator.streams import formats
 from simulator_host import Host
 from support import model, rounds
 

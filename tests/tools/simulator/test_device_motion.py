@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 from mip_protocol import filter_data, mip_3dm, sensor, types
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.motion import Circle, Standing
+from mip_simulator import VirtualDevice
+from mip_simulator.motion import Circle, Standing
 from simulator_host import Host
 
 

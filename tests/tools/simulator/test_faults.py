@@ -13,10 +13,10 @@ from typing import Any
 
 import pytest
 from mip_protocol import DecodeError, Packet, PacketBuilder, Parser, RawField, base, mip_3dm, registry, sensor, types
+from mip_simulator.device import VirtualDevice
+from mip_simulator.faults import Faults, Injected, json_log
+from mip_simulator.faults.kinds import KINDS, parse_faults, plan
 from mip_tools.errors import Failure
-from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.faults import Faults, Injected, json_log
-from mip_tools.simulator.faults.kinds import KINDS, parse_faults, plan
 from random_values import chance
 from support import rounds
 

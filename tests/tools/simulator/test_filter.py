@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from mip_protocol import aiding, filter_data, mip_3dm
 from mip_protocol import filter as commands
+from mip_simulator import VirtualDevice
+from mip_simulator.motion import Circle, Standing
 from mip_tools.geometry.attitude import euler
 from mip_tools.geometry.earth import radii
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.motion import Circle, Standing
 from simulated_world import SETS, TYPES
 from simulator_host import Host
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot, isclose
 
 import pytest
-from mip_tools.simulator.motion import Standing
+from mip_simulator.motion import Standing
 from simulated_world import Shown
 
 

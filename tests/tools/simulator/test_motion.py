@@ -10,8 +10,7 @@ from tempfile import NamedTemporaryFile
 from typing import Any
 
 import pytest
-from mip_tools.geometry.attitude import attitude_matrix, euler, euler_rotation, quaternion, rotation_vector
-from mip_tools.simulator.motion import (
+from mip_simulator.motion import (
     Circle,
     Motion,
     MotionError,
@@ -19,6 +18,7 @@ from mip_tools.simulator.motion import (
     Trajectory,
     parse_motion,
 )  # fmt: skip
+from mip_tools.geometry.attitude import attitude_matrix, euler, euler_rotation, quaternion, rotation_vector
 from support import rounds
 
 A, F = 6378137.0, 1 / 298.257223563

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 from mip_protocol.types import NmeaMessage, NmeaMessageId, NmeaTalkerId
+from mip_simulator.motion import Circle, Standing
+from mip_simulator.streams import nmea
 from mip_tools.sentences import nmea_checksum
-from mip_tools.simulator.motion import Circle, Standing
-from mip_tools.simulator.streams import nmea
 from simulated_world import Shown
 
 SENSOR, FILTER, GNSS_1, GNSS_2 = 0x80, 0x82, 0x91, 0x92

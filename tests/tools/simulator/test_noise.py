@@ -7,10 +7,10 @@ from random import Random
 
 import pytest
 from mip_protocol import mip_3dm, sensor, types
+from mip_simulator import VirtualDevice
+from mip_simulator.motion import Standing
+from mip_simulator.surroundings.noise import Noise
 from mip_tools.devices.facts import NOISE
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.motion import Standing
-from mip_tools.simulator.surroundings.noise import Noise
 from simulated_world import Shown
 from simulator_host import Host
 

@@ -21,7 +21,7 @@ def path(package: Path) -> dict[str, str]:
 CONVERSATION = """
 import sys
 from mip_protocol import PacketBuilder, registry
-from mip_tools.simulator import VirtualDevice
+from mip_simulator import VirtualDevice
 
 device = VirtualDevice(sys.argv[1])
 link = device.connect()
@@ -62,7 +62,7 @@ def test_data_of_any_form() -> None:
     """Fields that the simulation does not describe show their defaults, be they texts, unions or counted arrays."""
     code = """
 from mip_protocol import Parser, devices, registry
-from mip_tools.simulator import VirtualDevice
+from mip_simulator import VirtualDevice
 from mip_tools.devices.facts import VALUES
 
 for name in devices.DEVICES:
@@ -88,7 +88,7 @@ def test_commands_of_any_form() -> None:
     """Every command of another specification has an answer, or none; it does not end the device."""
     code = """
 from mip_protocol import PacketBuilder, devices
-from mip_tools.simulator import VirtualDevice
+from mip_simulator import VirtualDevice
 
 for name in devices.DEVICES:
     device = VirtualDevice(name)

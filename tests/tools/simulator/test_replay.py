@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 from mip_protocol import PacketBuilder
+from mip_simulator.motion import Circle, Motion, MotionError, Replay, Standing, parse_motion
+from mip_simulator.surroundings.surroundings import START
 from mip_tools.geometry.earth import WEEK
-from mip_tools.simulator.motion import Circle, Motion, MotionError, Replay, Standing, parse_motion
-from mip_tools.simulator.surroundings.surroundings import START
 from simulated_world import SETS, TYPES, Shown
 
 SECOND = 10**9

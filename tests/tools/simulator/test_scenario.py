@@ -9,12 +9,12 @@ from typing import Any
 
 import pytest
 from mip_protocol import Parser, gnss_data, mip_3dm, sensor, types
+from mip_simulator import Faults, Injected, ScriptedEvent, VirtualDevice
+from mip_simulator.endpoints.endpoint import pty_at, tcp_at, udp_at
+from mip_simulator.motion.trajectory import COLUMNS
+from mip_simulator.scenario import read_scenario
+from mip_simulator.script import KINDS
 from mip_tools.errors import Failure
-from mip_tools.simulator import Faults, Injected, ScriptedEvent, VirtualDevice
-from mip_tools.simulator.endpoints.endpoint import pty_at, tcp_at, udp_at
-from mip_tools.simulator.motion.trajectory import COLUMNS
-from mip_tools.simulator.scenario import read_scenario
-from mip_tools.simulator.script import KINDS
 from program import DEVICE, run, until
 from support import ROOT
 from test_serve import ACKNOWLEDGE, PING, Client, serving, stream

@@ -23,13 +23,13 @@ from mip_protocol import Parser, base, devices, mip_3dm, registry, types
 from mip_protocol.devices import Device
 from mip_protocol.field import Command, Data, Response
 from mip_protocol.protocol import VERSION
+from mip_simulator.device import VirtualDevice
+from mip_simulator.endpoints.channel import CAPACITY, Channel
+from mip_simulator.endpoints.endpoint import Endpoint, Pty, pty_at, tcp_at
+from mip_simulator.endpoints.serve import Server
+from mip_simulator.faults import Faults
 from mip_tools import __main__, __version__, commands
 from mip_tools.errors import Failure
-from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.endpoints.channel import CAPACITY, Channel
-from mip_tools.simulator.endpoints.endpoint import Endpoint, Pty, pty_at, tcp_at
-from mip_tools.simulator.endpoints.serve import Server
-from mip_tools.simulator.faults import Faults
 from program import DEVICE, PATIENCE, mip, run, running, until
 from support import PYTHONPATH
 
@@ -184,7 +184,7 @@ def test_several_clients_of_several_ports() -> None:
 
 
 def test_too_many_clients_are_turned_away(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("mip_tools.simulator.endpoints.serve.CLIENTS", 1)
+    monkeypatch.setattr("mip_simulator.endpoints.serve.CLIENTS", 1)
     with serving(VirtualDevice(DEVICE), tcp_at("0")) as server, Client(server.places[0]) as first:
         first.ask(PING)
         with Client(server.places[0]) as second:
@@ -470,7 +470,7 @@ def counts(device: Device) -> str:
 
 
 def test_the_list_of_devices(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "simulate", "--list")
+    code, out, _ = run(capsys, "fields", "--devices")
     lines = out.splitlines()
     assert code == 0 and [line.split()[0] for line in lines] == list(devices.DEVICES)
     for line, device in zip(lines, devices.DEVICES.values(), strict=True):
@@ -501,6 +501,17 @@ def test_it_starts_with_the_standard_library_alone() -> None:
     assert "--motion" in mip("simulate", "--help", extras=False)[1]
 
 
+def test_without_the_simulator(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is a distribution of its own; what reads logs is installed without it."""
+
+    def absent(*_: Any) -> None:
+        raise ModuleNotFoundError(name="mip_simulator")
+
+    monkeypatch.setattr(commands, "import_module", absent)
+    line = "mip-simulator is missing; pip install mip-simulator, or from a checkout ./tools/mip_simulator"
+    assert run(capsys, "simulate", DEVICE) == (1, "", f"mip simulate: {line}\n")
+
+
 def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     def interrupted(*_: Any) -> None:
         raise KeyboardInterrupt
@@ -512,11 +523,11 @@ def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: p
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
-        ("", "the device is missing; `mip simulate --list` lists all devices"),
+        ("", "the device is missing; `mip fields --devices` lists them"),
         ("3dm-gx5-16", "'3dm-gx5-16' is not a device; did you mean 3dm-gx5-15, "),
         ("CV7-GNSS", "'CV7-GNSS' is not a device; did you mean 3dm-cv7-gnss-ins or "),
         ("3DM-GX5-10", "only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10, the device most like it"),
-        ("toaster", "'toaster' is not a device; `mip simulate --list` lists them all"),
+        ("toaster", "'toaster' is not a device; `mip fields --devices` lists them all"),
         ("DEVICE --tcp 70000", "'70000' is not a TCP port; write PORT or HOST:PORT"),
         ("DEVICE --tcp localhost", "'localhost' is not a TCP port; "),
         ("DEVICE --tcp 'no such host:1'", "host 'no such host' is unknown; use localhost"),

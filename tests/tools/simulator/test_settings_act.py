@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 from mip_protocol import filter as commands
 from mip_protocol import mip_3dm
+from mip_simulator import VirtualDevice
+from mip_simulator.commands.filter_effects import FILTER_EFFECTS
+from mip_simulator.world import quantities
 from mip_tools.devices import facts
-from mip_tools.simulator import VirtualDevice
-from mip_tools.simulator.commands.filter_effects import FILTER_EFFECTS
-from mip_tools.simulator.world import quantities
 from mipgen import model as m
 from settings_act import (
     AR,

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from mip_protocol import base, devices, mip_3dm
 from mip_protocol.base import GpsTimeField
-from mip_tools.simulator import ScriptedEvent, VirtualDevice
-from mip_tools.simulator.surroundings.surroundings import START
+from mip_simulator import ScriptedEvent, VirtualDevice
+from mip_simulator.surroundings.surroundings import START
 from simulated_world import SETS, TYPES
 from simulator_host import Host
 

@@ -11,13 +11,13 @@ import pytest
 from mip_protocol import devices, reflection
 from mip_protocol.parameter import Parameter
 from mip_protocol.profile import Device
+from mip_simulator.commands import knowledge
+from mip_simulator.motion import Circle, Motion, Standing
+from mip_simulator.streams.values import encoder
+from mip_simulator.world import quantities
+from mip_simulator.world.world import World
 from mip_tools.devices import facts
 from mip_tools.devices.names import value_named
-from mip_tools.simulator.commands import knowledge
-from mip_tools.simulator.motion import Circle, Motion, Standing
-from mip_tools.simulator.streams.values import encoder
-from mip_tools.simulator.world import quantities
-from mip_tools.simulator.world.world import World
 from random_values import chance
 from simulated_world import SETS, TYPES, profile
 from support import model, rounds

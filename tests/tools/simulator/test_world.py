@@ -7,9 +7,9 @@ from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sq
 from typing import Any
 
 import pytest
+from mip_simulator.motion import Circle, Motion, Standing
+from mip_simulator.surroundings.surroundings import START
 from mip_tools.geometry import earth
-from mip_tools.simulator.motion import Circle, Motion, Standing
-from mip_tools.simulator.surroundings.surroundings import START
 from simulated_world import Shown
 
 G = 9.80665

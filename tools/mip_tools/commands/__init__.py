@@ -1,6 +1,7 @@
 """The commands of `mip`, and the options that all of them have.
 
-A further command is an entry of `COMMANDS` and a module of that name. Tests: `tests/tools/cli`.
+A further command is an entry of `COMMANDS` and a module of that name; that of `simulate` is in the distribution
+mip-simulator. Tests: `tests/tools/cli`.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from ..errors import Misuse
+from ..errors import Failure, Misuse
 
 #: Command -> its summary. Its module has the same name, with `add_arguments(parser)` and `run(options)`.
 COMMANDS = {
@@ -39,7 +40,15 @@ PACKAGE = "--package"
 
 def loaded(command: str) -> Any:
     """Imports the module of a command, which imports what it uses from the generated package."""
-    return import_module(f".{command.replace('-', '_')}", __name__)
+    if command != "simulate":
+        return import_module(f".{command.replace('-', '_')}", __name__)
+    try:
+        return import_module("mip_simulator.command")
+    except ModuleNotFoundError as error:
+        if error.name != "mip_simulator":
+            raise
+        where = "mip-simulator, or from a checkout ./tools/mip_simulator"
+        raise Failure(f"mip-simulator is missing; pip install {where}") from None
 
 
 def without_package(words: list[str]) -> tuple[str | None, list[str]]:

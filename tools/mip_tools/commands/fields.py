@@ -22,6 +22,7 @@ examples:
   mip fields sensor.scaled_accel      one field; 0x80:0x04 and the vendor's name also work
   mip fields --search gyro bias       fields with these words, the best first
   mip fields 3dm --device 3dm-gx5-15  only the fields of a device
+  mip fields --devices                the devices
 """
 
 
@@ -31,10 +32,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("name", nargs="?", metavar="NAME", help="a set or a field")
     add("--search", nargs="+", metavar="WORD", help="fields that have these words, the best first")
     add_device(parser, "only the fields of this device")
+    add("--devices", action="store_true", help="list the devices")
     add("--json", action="store_true", help="print JSON, for programs")
 
 
 def run(options: argparse.Namespace) -> int:
+    if options.devices:
+        width = max((len(name) for name in DEVICES), default=0)
+        for device in DEVICES.values():
+            incomplete = f" (incomplete: {field_texts.extent(device)})" if device.incomplete else ""
+            print(f"{device.id:<{width}}  {device.title}{incomplete}")
+        return 0
     options.search = " ".join(options.search) if options.search else None
     chosen = _chosen(options)
     if options.json:

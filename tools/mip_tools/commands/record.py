@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--duration", type=seconds, metavar="S", help="stop after S seconds")
     add("--packets", type=positive, metavar="N", help="stop after N packets")
     add("--force", action="store_true", help="replace an older recording, if anything is received")
-    add_device(parser, "the device, which is not asked then; `mip simulate --list` lists them")
+    add_device(parser, "the device, which is not asked then; `mip fields --devices` lists them")
     add_reopen(parser)
     add_timeout(parser)
     add_baud(parser)

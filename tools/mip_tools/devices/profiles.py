@@ -16,7 +16,7 @@ def device_named(name: str) -> Device:
     try:
         return DEVICES[lookup.device_id(name)]
     except UnknownName as error:
-        hint = f"{'' if str(error).endswith('?') else ';'} `mip simulate --list` lists them all"
+        hint = f"{'' if str(error).endswith('?') else ';'} `mip fields --devices` lists them all"
         raise Misuse(f"{error}{'' if lookup.only_named(name) else hint}") from None
 
 

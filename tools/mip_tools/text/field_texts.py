@@ -7,9 +7,10 @@ import textwrap
 from collections.abc import Iterable
 from typing import Any
 
-from ..binding import Command, EnumInfo, Field, Parameter, Response, Structure, info
+from ..binding import Command, Device, EnumInfo, Field, Parameter, Response, Structure, info
 from ..names import typed
 from ..names.occurrence import Occurrence
+from .numbers import count_text
 
 
 def text(occurrence: Occurrence) -> str:
@@ -28,6 +29,12 @@ def text(occurrence: Occurrence) -> str:
     if about.sources:
         lines += ["", "sources", *(f"  {source}" for source in about.sources)]
     return "\n".join(lines)
+
+
+def extent(profile: Device) -> str:
+    """States how many commands and data fields a device has."""
+    commands = sum(1 for set_number, _ in profile.fields if set_number < 0x80)
+    return f"{count_text(commands, 'command')}, {count_text(len(profile.fields) - commands, 'data field')}"
 
 
 def _wrapped(text: str, indent: str) -> list[str]:

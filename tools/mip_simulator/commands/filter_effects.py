@@ -1,0 +1,108 @@
+"""Effects of commands on the filter, the receivers and the calibration of sensors, by their names in `spec/simulation`.
+
+A setting affects only later results: the filter first advances to the present.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import radians
+from typing import Any
+
+from mip_tools.geometry import earth
+from mip_tools.geometry.attitude import euler, euler_rotation
+from mip_tools.geometry.rotations import transposed
+
+from ..filter.estimate import SOURCES
+from ..state import DeviceState
+from .knowledge import RANGES
+
+Values = dict[str, Any]  # argument of the effect -> its value
+Act = Callable[[DeviceState, Values], None]
+
+#: Type of a range -> sensor, and the factor to the unit of the world.
+_SENSORS = {1: ("accel", 9.80665), 2: ("gyro", radians(1)), 3: ("mag", 1.0)}
+
+
+def _names(bits: Any) -> frozenset[str]:
+    """Returns the names of the bits that are set."""
+    return frozenset(member.name.lower() for member in type(bits) if member & bits)
+
+
+def _sensor_range(device: DeviceState, v: Values) -> None:
+    sensor = _SENSORS.get(v["sensor"])
+    most = dict(RANGES.get(v["sensor"], ())).get(v["setting"])
+    if sensor is not None and most is not None:
+        device.world.ranges[sensor[0]] = most * sensor[1]
+
+
+def _tare(device: DeviceState, v: Values) -> None:
+    """Makes the current roll, pitch or yaw of the vehicle zero."""
+    world, axes = device.world, _names(v["axes"])
+    if axes:
+        angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
+        world.sensor_to_vehicle = earth.product(euler_rotation(*angles)[1], transposed(world.state.dcm))
+
+
+def _relative_position(device: DeviceState, v: Values) -> None:
+    x, y, z = v["place"]
+    fixed = (x, y, z) if v["frame"] == 1 else earth.ecef(radians(x), radians(y), z)
+    device.world.reference = fixed if v["manual"] else None
+
+
+def _initialization(device: DeviceState, v: Values) -> None:
+    o = device.world.filter.options
+    o.waits, o.alignment = bool(v["wait"]), _names(v["alignment"])
+    o.heading = None if v["given"].name == "AUTO_POSITION_VELOCITY_ATTITUDE" else radians(v["heading"])
+
+
+def _attitude(device: DeviceState, v: Values) -> None:
+    """Levels the filter, with the heading of the user, or else that of the sensors."""
+    world = device.world
+    yaw = v["heading"] if "heading" in v else euler(world.dcm)[2] + v["declination"] - world.declination
+    world.filter.set_heading(world.state, yaw)
+    world.filter.aligned = True
+
+
+def _aiding(device: DeviceState, v: Values) -> None:
+    o = device.world.filter.options
+    kind = SOURCES.get(v["source"].name.lower(), v["source"].name.lower())
+    o.disabled = o.disabled - {kind} if v["enable"] else o.disabled | {kind}
+
+
+def _measured(device: DeviceState, v: Values) -> None:
+    if v.get("valid", 1):
+        device.world.filter.hear(v["kind"])
+
+
+def _world(name: str, value: Callable[[Values], Any]) -> Act:
+    """Makes an effect that sets an attribute of the world."""
+    return lambda device, v: setattr(device.world, name, value(v))
+
+
+def _option(name: str, value: Callable[[Values], Any]) -> Act:
+    """Makes an effect that sets an option of the filter."""
+    return lambda device, v: setattr(device.world.filter.options, name, value(v))
+
+
+_RECEIVERS = {"ALL_INTERNAL": (1, 2), "INTERNAL_1": (1,), "INTERNAL_2": (2,)}
+
+FILTER_EFFECTS: dict[str, Act] = {
+    "aiding_source": _aiding,
+    "automatic_initialization": _option("automatic", lambda v: bool(v["enable"])),
+    "dynamics": _option("dynamics", lambda v: v["mode"].name.lower()),
+    "filter_reset": lambda device, v: device.world.filter.reset(),
+    "filter_run": lambda device, v: device.world.filter.run(),
+    "gnss_source": _option("receivers", lambda v: frozenset(_RECEIVERS.get(v["source"].name, ()))),
+    "hard_iron": _world("hard_iron", lambda v: tuple(v["offset"])),
+    "initial_attitude": _attitude,
+    "initialization": _initialization,
+    "measured": _measured,
+    "odometer": _world("odometer", lambda v: max(v["uncertainty"], 1e-3) if v["mode"] else 0.0),
+    "pulse": lambda device, v: device.world.select_pulse(v["source"].name.lower()),
+    "reference_point": _world("offset", lambda v: tuple(v["offset"])),
+    "relative_position": _relative_position,
+    "sensor_range": _sensor_range,
+    "soft_iron": _world("soft_iron", lambda v: tuple(v["matrix"])),
+    "tare": _tare,
+}
