@@ -297,7 +297,7 @@ test("times are those of the clocks with and without a date", { skip: !real && "
             undefined,
             100,
             [`${week}:00.000Z to ${week}:00.390Z`],
-            "flags read as those of generation 5 (recognized)",
+            "sensor.gps_timestamp: flags read as those of generations 4 and 5 (recognized)",
         ],
         [ticks(345618, 40, 2300, 7), "3dm-gx5-25", 100, [`${week}:00.000Z to ${week}:00.390Z`], "device 3DM-GX5-25"],
         [
@@ -347,6 +347,22 @@ test("times are those of the clocks with and without a date", { skip: !real && "
         assert.deepEqual([rhythm.rate && Math.round(rhythm.rate), rhythm.gaps, shown, found.read], [rate, 0, texts, read]);
         assert.ok(valid <= rows.length);
     }
+});
+
+test("a log of an unknown device is read as on those that explain it", { skip: !real && "of the real one" }, async () => {
+    const { survey } = globalThis.mip;
+    const fields = [
+        ["filter_data.euler_angles", { roll: 0, pitch: 0, yaw: 0, valid_flags: 0 }],
+        ["filter_data.status", { filter_state: 1, dynamics_mode: 1, status_flags: 0x1000 }],
+    ].map(([name, values]) => ({ name, values }));
+    const log = Uint8Array.from(buildPacket(protocol, 0x82, fields).bytes);
+    const found = await survey(protocol, () => [log]);
+    assert.equal(found.read, "filter_data.status: flags read as those of generations 4 and 5 (recognized)");
+    const shown = (device) =>
+        inspect(protocol, toHex(log), device).parts[0].fields[1].rows.map(({ name, flags }) => name ?? flags?.[0].bits.name);
+    assert.deepEqual(shown(found.reads), ["init", "portable", "init_no_attitude"]);
+    assert.deepEqual(shown(undefined), [undefined, undefined, undefined]);
+    assert.equal((await survey(protocol, () => [log], undefined, "3dm-cv7-ar")).reads(found.fields[1].field), "3dm-cv7-ar");
 });
 
 test("the device is that of the log, and values that are not valid are counted", { skip: !real && "of the real one" }, async () => {

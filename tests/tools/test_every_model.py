@@ -316,15 +316,18 @@ def of_bag(path: Path) -> Iterator[tuple[str, float]]:
 def test_the_workbench_reads_every_model(name: str, sync: bool, tmp_path: Path) -> None:
     plans = record(name, sync, tmp_path / "log.bin")
     packets = [p for p in Parser().feed((tmp_path / "log.bin").read_bytes()) if p.set >= 0x80]
+    (tmp_path / "unknown.bin").write_bytes(b"".join(map(bytes, packets)))  # without the reply that names the device
     command = [
         need("node"),
         Path(__file__).with_name("survey.mjs"),
         workbench("real") / "workbench.js",
         tmp_path / "log.bin",
+        tmp_path / "unknown.bin",
     ]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    survey = json.loads(done.stdout)
+    survey, unknown = map(json.loads, done.stdout.splitlines())
+    assert unknown["read"] == "; ".join(mip_tools.read_log(tmp_path / "unknown.bin").assumed())
     assert survey["device"] == name and len(survey["spans"]) == any(sent.clock(sync) for sent in plans)
     fields = {(x["set"], x["descriptor"]): x for x in survey["fields"]}
     for sent in plans:

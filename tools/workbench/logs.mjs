@@ -108,7 +108,7 @@ function logReport(protocol, file, found, show, device, close) {
                 "Fields without a rate are not regular, or have no timestamps.",
             ),
         found.gaps.length > 0 && gapList(found.gaps),
-        found.packets > 0 && pages(protocol, file, found, show, () => device() ?? found.device),
+        found.packets > 0 && pages(protocol, file, found, show, () => device() ?? found.reads),
     ].filter(Boolean);
 }
 

@@ -2,6 +2,7 @@
 
 import { decodeData, deviceWithNumber, isValid, MipError, nameIn, Parser, Times } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
+import { Senders } from "./known.mjs";
 
 /** The number of bytes in a page, which contains the packets that begin in them. */
 const PAGE = 8192;
@@ -13,7 +14,8 @@ const GAPS = 1000;
  * Surveys a log: { bytes, packets, skipped, sentences, fields, gaps, pages, spans, device, read }. A field has `name`,
  * `set`, `field`, `count`, how many are `valid` (undefined if it has no flags), and a `rhythm` by the clock of the device;
  * a gap, the fields that it concerns and the packet after it; a page, the `offset` at which it begins and the number of
- * the first packet in it. `spans` are those of `Clocks`; `read` is what was assumed about the device, in words.
+ * the first packet in it. `spans` are those of `Clocks`; `reads` returns the id of the device as which a field is read, `read`
+ * is what was assumed about it, in words.
  * @param open returns the pieces, Uint8Arrays in order; it is called again if a later part changes how flags are read
  * @param progress is called with the bytes that were read; if it returns false, the survey ends there
  * @param named the id of the device; if it is undefined, it is the one in the log, if there is one
@@ -30,24 +32,24 @@ export async function survey(protocol, open, progress = () => true, named = unde
         } else if (times.changed) {
             times.changed = false;
         } else {
-            return { ...found, device, read: assumed(protocol, times, device, named) };
+            const { senders, ...rest } = found;
+            return { ...rest, device, reads: (field) => device ?? senders.reads(field), read: assumed(protocol, senders, device, named) };
         }
     }
 }
 
-/** Describes in words how the flags were read. */
-function assumed(protocol, { recognized }, device, named) {
-    const of = (id) => protocol.model.devices.find((one) => one.id === id);
-    if (device !== undefined) return `device ${of(device)?.title ?? device}${named === undefined ? " (from the log)" : ""}`;
-    if (!recognized) return "";
-    const generations = recognized.map((id) => of(id)?.generation).filter(Boolean);
-    return `flags read as those of generation ${Math.max(...generations)} (recognized)`;
+/** Describes in words how flags and names were read. */
+function assumed(protocol, senders, device, named) {
+    if (device === undefined) return senders.lines.join("; ");
+    const { title } = protocol.model.devices.find(({ id }) => id === device) ?? { title: device };
+    return `device ${title}${named === undefined ? " (from the log)" : ""}`;
 }
 
 async function surveyed(protocol, pieces, progress, times, named) {
     const found = { bytes: 0, packets: 0, sentences: 0, damaged: 0, pages: [{ offset: 0, first: 0 }] };
     const fields = new Map();
     const clocks = new Clocks(protocol, times);
+    const senders = new Senders(protocol);
     let device;
     const gaps = new Map(); // packet after it -> gap
     let dollar = false; // the last byte outside packets
@@ -69,9 +71,11 @@ async function surveyed(protocol, pieces, progress, times, named) {
                 let one = fields.get(key);
                 if (!one) {
                     one = seriesOf(protocol, raw);
+                    if (one.field?.role === "data") one.learn = senders.add(raw.set, one.field);
                     fields.set(key, one);
                 }
                 one.count++;
+                one.learn?.(raw.data);
                 if (one.flagged.length || one.names) {
                     const values = valuesOf(protocol, one.field, raw.data);
                     if (one.names) device ??= deviceIn(protocol, values);
@@ -102,6 +106,7 @@ async function surveyed(protocol, pieces, progress, times, named) {
     return {
         ...found,
         device,
+        senders,
         spans: clocks.spans,
         skipped: parser.skipped,
         pages: found.pages.filter(holds),
