@@ -37,10 +37,11 @@ class Instants(NamedTuple):
 def assign(fields: Sequence[Fields], by: str) -> Instants:
     """Finds the rows of some types of fields. `by` is "time" or "packet"."""
     packets = distinct(*(f.offset for f in fields))
-    first = packets if by == "packet" else _first(packets, fields)
+    packets_of_fields = [places_among(packets, f.offset) for f in fields]
+    first = packets if by == "packet" else _first(packets, packets_of_fields, fields)
     begins = distinct(first)
     number = places_among(begins, first)
-    places_of_fields = [number[places_among(packets, f.offset)] for f in fields]
+    places_of_fields = [number[which] for which in packets_of_fields]
     turns = [_turn(row) for row in places_of_fields]
     if not any(turn.any() for turn in turns):
         return Instants(begins, [np.arange(len(row)) for row in places_of_fields], places_of_fields, packets, first)
@@ -53,12 +54,12 @@ def assign(fields: Sequence[Fields], by: str) -> Instants:
     return Instants(begins[rows // _MOST], kept, [places_among(rows, key) for key in keys], packets, first)
 
 
-def _first(packets: Array, fields: Sequence[Fields]) -> Array:
+def _first(packets: Array, packets_of_fields: list[Array], fields: Sequence[Fields]) -> Array:
     """Returns, for each packet, the offset of the first packet of its instant. A packet without a timestamp is an
     instant by itself."""
     time = np.full(len(packets), NONE, np.int64)
-    for f in fields:
-        time[places_among(packets, f.offset)] = f.time
+    for which, f in zip(packets_of_fields, fields):
+        time[which] = f.time
     stamped = np.flatnonzero(time != NONE)
     if (np.diff(time[stamped]) > 0).all():
         return packets
