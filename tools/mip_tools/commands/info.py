@@ -7,10 +7,9 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from ..binding import SECOND
-from ..errors import Failure
 from ..logs import inputs
 from ..logs.assumed import reason_for_no_date, synchronization
-from ..logs.recognize import MOST, recognized
+from ..logs.recognize import no_packets
 from ..options import add_device
 from ..text import show
 from ..text.clocks import dated, stamp
@@ -49,14 +48,14 @@ def run(options: argparse.Namespace) -> int:
         from ..logs.report import report_on
 
         report = report_on(log)
-        begin = log.source.piece(0, min(log.size, MOST), 0)[0].tobytes()
+        empty = None if report.packets else no_packets(options.file, log)
     if options.json:
         print(json.dumps(as_json(options.file, report), indent=2))
     else:
         for text in report_lines(options.file, report):
             print(text)
-    if not report.packets:
-        raise Failure(f"{options.file} has no packets: {recognized(begin)}")
+    if empty:
+        raise empty
     return 0
 
 

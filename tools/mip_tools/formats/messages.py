@@ -17,6 +17,7 @@ from ..columns.scan import Array
 from ..columns.stamps import NONE
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
+from ..logs.recognize import need_packets
 from ..names.occurrence import Occurrence, occurrence_in
 from ..names.selection import Selection
 from ..text import row_texts
@@ -52,6 +53,7 @@ class MessageExport:
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
         self._name, self._options, self._selection = name, options, selection
         with inputs.open_columns(name, options.device) as log:
+            need_packets(options.file, log)
             self.types, clocks = survey_messages(log, selection)
             self._clock = clock_of(clocks, options)
             print_assumptions("export", log, names=options.named)

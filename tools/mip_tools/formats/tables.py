@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..columns import tables, timeline
 from ..columns.tables import Series
-from ..errors import Failure
 from ..logs import inputs
 from ..logs.assumed import no_date
+from ..logs.recognize import need_packets
 from ..names.occurrence import Occurrence
 from ..names.selection import Selection
 from .row_times import Time, shown_clocks
@@ -38,8 +38,7 @@ class TableExport(NamedTuple):
 
 def table_export(options: argparse.Namespace, selection: Selection, log: Log) -> TableExport:
     """Surveys a log. Raises Failure if it has no packets."""
-    if not any(part.packets for part in log.parts(tables.PART)):  # log.packets would store the offset of each one
-        raise Failure(f"{options.file} has no packets")
+    need_packets(options.file, log)
     form = tables.Form(
         options.by,
         invalid=options.invalid,

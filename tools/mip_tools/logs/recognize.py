@@ -7,13 +7,16 @@ import json
 import re
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .. import sentences
 from ..binding import OVERHEAD, SYNC, Packet, Parser, checksum
+from ..errors import Failure
 
 #: Bytes that are examined.
 MOST = 1 << 16
+#: Bytes in which packets are searched at once.
+_PART = 1 << 22
 _TEXT = frozenset({*b"\t\n\f\r", *range(0x20, 0x7F)})
 
 
@@ -31,6 +34,17 @@ def recognized(data: bytes) -> Recognized:
     """Says what bytes without MIP packets are."""
     data = data[:MOST]
     return next(filter(None, (ask(data) for ask in _QUESTIONS)), UNKNOWN)
+
+
+def no_packets(name: str, log: Any) -> Failure:
+    """Returns the error that says what an open log without packets is."""
+    return Failure(f"{name} has no packets: {recognized(log.source.piece(0, min(log.size, MOST), 0)[0].tobytes())}")
+
+
+def need_packets(name: str, log: Any) -> None:
+    """Raises Failure if an open log has no packets."""
+    if not any(part.packets for part in log.parts(_PART)):  # log.packets would store the offset of each one
+        raise no_packets(name, log)
 
 
 UNKNOWN = Recognized("neither MIP nor a known protocol", "is the baud rate right?")
