@@ -93,8 +93,9 @@ class TimesOfSet:
         steps = np.diff(value)
         for i in np.flatnonzero(steps[known - 1 :] < -BACK).tolist():
             yield int(offset[known - 1 + i]), int(offset[known + i])
-        if clock not in self.stuck and len(value) >= STUCK:
-            same = np.cumsum(np.append(0, steps == 0))
+        same = steps == 0
+        if clock not in self.stuck and np.count_nonzero(same) >= STUCK - 1:
+            same = np.cumsum(np.append(0, same))
             first = int((same[STUCK - 1 :] - same[: 1 - STUCK]).argmax())
             if (value[first : first + STUCK] == value[first]).all():
                 self.stuck[clock] = int(offset[first]), int(value[first])
