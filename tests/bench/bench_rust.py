@@ -108,9 +108,42 @@ CLIENT = """
         }
 """
 
+#: Where bytes come from and go to, as a port with a baud rate.
+PORT = """
+struct Uart;
+
+impl Port for Uart {
+    type Error = ();
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, ()> {
+        Ok(core::hint::black_box(buffer).len())
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), ()> {
+        core::hint::black_box(bytes);
+        Ok(())
+    }
+
+    fn now_ms(&mut self) -> u32 {
+        core::hint::black_box(0)
+    }
+
+    fn set_baud(&mut self, rate: u32) -> Result<bool, ()> {
+        core::hint::black_box(rate);
+        Ok(true)
+    }
+}
+"""
+RATES = """
+        core::hint::black_box(device.connect(&[115_200, 921_600]).is_ok());
+        let rates = [Rate::of::<ScaledAccel>(100.0), Rate::of::<ScaledGyro>(100.0)];
+        core::hint::black_box(device.stream(sensor::SET, &rates).is_ok());
+"""
+
 #: They are static, as in firmware: the start-up code clears the memory.
 PARSER = "static mut PARSER: Parser = Parser::new();"
 PARSER_AND_CLIENT = f"{PARSER}\nstatic mut CLIENT: Client<2> = Client::with_timeout(1000);"
+DEVICE = "static mut DEVICE: Device<Uart, 1, 600> = Device::with_client(Uart, Client::with_timeout(1000));"
 BORROW = "let {} = unsafe {{ &mut *core::ptr::addr_of_mut!({}) }};\n    "
 FIRMWARES = {
     "empty": ("", "", ""),
@@ -128,6 +161,12 @@ FIRMWARES = {
         f"use mip_protocol::{{base, Client, Parser}};\n{PARSER_AND_CLIENT}",
         BORROW.format("parser", "PARSER") + BORROW.format("client", "CLIENT"),
         CLIENT,
+    ),
+    "device: `connect`, `stream`": (
+        "use mip_protocol::{device::{Device, Port}, sensor::{self, ScaledAccel, ScaledGyro}, session::Rate, Client};"
+        f"\n{PORT}\n{DEVICE}",
+        BORROW.format("device", "DEVICE"),
+        RATES,
     ),
 }  # fmt: skip
 

@@ -328,6 +328,20 @@ fn decimations_are_the_nearest() {
 }
 
 #[test]
+fn each_rate_of_the_device_has_its_decimation() {
+    for base in [1_u16, 7, 1000, 0x8001, 0xFFFF] {
+        for by in [1_u16, 2, 3, 7, 127, 128, 129, 999, 0x7FFF, 0x8000, 0xFFFE, 0xFFFF] {
+            let mut device = device(115_200);
+            device.port_mut().base_rate = base;
+            let rate = Rate::of_descriptor(4, f32::from(base) / f32::from(by));
+            assert_eq!(device.stream(sensor::SET, &[rate]), Ok(base), "{base} by {by}");
+            let [high, low] = by.to_be_bytes();
+            assert_eq!(device.port().last(0x0C0F), [1, 0x80, 1, 4, high, low]);
+        }
+    }
+}
+
+#[test]
 fn data_that_is_sent_as_it_arrives_has_no_rate() {
     let mut device = device(115_200);
     device.port_mut().base_rate = 0;

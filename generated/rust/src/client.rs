@@ -80,7 +80,7 @@ struct Slot {
 }
 
 /// The properties that all commands of a type share.
-struct Kind {
+pub(crate) struct Kind {
     name: &'static str,
     set: DescriptorSet,
     descriptor: u8,
@@ -102,6 +102,32 @@ impl<C: Command> KindOf<C> {
         },
         responses: C::RESPONSES,
     };
+}
+
+/// A command of any type, so that the code that sends it exists once.
+pub(crate) trait AnyCommand {
+    fn kind(&self) -> &'static Kind;
+    fn is_silent(&self) -> bool;
+    fn wanted(&self) -> Option<ResponseCheck>;
+    fn write_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
+}
+
+impl<C: Command> AnyCommand for C {
+    fn kind(&self) -> &'static Kind {
+        KindOf::<C>::KIND
+    }
+
+    fn is_silent(&self) -> bool {
+        !self.expects_reply()
+    }
+
+    fn wanted(&self) -> Option<ResponseCheck> {
+        self.response_check()
+    }
+
+    fn write_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+        self.encode_to(writer)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,8 +182,8 @@ impl<C> Ticket<C> {
         self.silent
     }
 
-    #[allow(dead_code)] // without the features of command sets
-    pub(crate) const fn untyped(self) -> Ticket<()> {
+    /// Returns it for another type of command.
+    pub(crate) const fn of<D>(self) -> Ticket<D> {
         Ticket { id: self.id, silent: self.silent, command: PhantomData }
     }
 }
@@ -328,8 +354,8 @@ impl Event {
     ///
     /// The reason why the command has no result.
     pub fn outcome(&self) -> Result<(), Reason> {
-        let read = |field: RawField<'_>| self.check.and_then(|check| check(&field));
-        self.answered(read, Some(())).map_err(|error| error.reason)
+        let reply = self.reply()?;
+        judged(reply.and_then(|field| self.check.and_then(|check| check(&field))), Some(()))
     }
 
     /// Returns the undecoded response.
@@ -349,42 +375,51 @@ impl Event {
         &self,
         ticket: &Ticket<C>,
     ) -> Option<Result<C::Response, CommandError>> {
-        (self.id == ticket.id).then(|| self.decoded())
+        (self.id == ticket.id).then(|| self.decoded::<C>())
     }
 
     /// Like [`Event::answer`], but the response is read in place, without copying.
     #[must_use]
-    pub fn view<C: Command>(
-        &self,
+    pub fn view<'e, C: Command>(
+        &'e self,
         ticket: &Ticket<C>,
-    ) -> Option<Result<View<'_, C::Response>, CommandError>>
+    ) -> Option<Result<View<'e, C::Response>, CommandError>>
     where
         C::Response: Field + Viewed,
     {
-        (self.id == ticket.id)
-            .then(|| self.answered(|field| field.view::<C::Response>().transpose(), None))
+        let read = |field: RawField<'e>| field.view::<C::Response>().transpose();
+        let viewed = || judged(self.reply()?.and_then(read), None);
+        (self.id == ticket.id).then(|| viewed().map_err(CommandError::of::<C>))
     }
 
-    fn decoded<R: Response>(&self) -> Result<R, CommandError> {
-        self.answered(|field| R::from_field(&field), R::absent())
+    fn decoded<C: Command>(&self) -> Result<C::Response, CommandError> {
+        self.reply().map_err(CommandError::of::<C>).and_then(response::<C>)
     }
 
-    fn answered<'e, R>(
-        &'e self,
-        read: impl FnOnce(RawField<'e>) -> Option<Result<R, DecodeError>>,
-        absent: Option<R>,
-    ) -> Result<R, CommandError> {
-        let reason = match self.outcome {
-            Outcome::Complete => match (self.response().and_then(read), absent) {
-                (Some(Ok(response)), _) | (None, Some(response)) => return Ok(response),
-                (Some(Err(error)), _) => Reason::Undecodable(error),
-                (None, None) => Reason::MissingResponse,
-            },
-            Outcome::MissingResponse => Reason::MissingResponse,
-            Outcome::Refused(code) => Reason::Refused(code),
-            Outcome::TimedOut => Reason::TimedOut,
-        };
-        Err(CommandError::new(self.command(), reason))
+    /// Returns the response, which may be absent, if the device has carried out the command.
+    fn reply(&self) -> Result<Option<RawField<'_>>, Reason> {
+        match self.outcome {
+            Outcome::Complete => Ok(self.response()),
+            Outcome::MissingResponse => Err(Reason::MissingResponse),
+            Outcome::Refused(code) => Err(Reason::Refused(code)),
+            Outcome::TimedOut => Err(Reason::TimedOut),
+        }
+    }
+}
+
+/// Decodes the response to a command that the device has carried out.
+pub(crate) fn response<C: Command>(
+    reply: Option<RawField<'_>>,
+) -> Result<C::Response, CommandError> {
+    let found = reply.and_then(|field| C::Response::from_field(&field));
+    judged(found, C::Response::absent()).map_err(CommandError::of::<C>)
+}
+
+/// Chooses between a response that was found, and the value without one.
+fn judged<R>(found: Option<Result<R, DecodeError>>, absent: Option<R>) -> Result<R, Reason> {
+    match found {
+        Some(found) => found.map_err(Reason::Undecodable),
+        None => absent.ok_or(Reason::MissingResponse),
     }
 }
 
@@ -506,8 +541,13 @@ impl<const N: usize> Client<N> {
     /// 2`.
     #[must_use]
     pub fn deadline(&self) -> Option<u32> {
-        let deadlines = self.table().waiting().map(|slot| slot.deadline);
-        deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
+        let mut first = None;
+        for slot in self.table().waiting() {
+            if first.map_or(true, |first| !has_passed(first, slot.deadline)) {
+                first = Some(slot.deadline);
+            }
+        }
+        first
     }
 
     /// Returns the barrier to send before the next packet of commands, or `None` if no earlier
@@ -588,6 +628,16 @@ impl<const N: usize> Client<N> {
         command: &C,
         now_ms: u32,
     ) -> Result<(Ticket<C>, Packet<'_>), RequestError> {
+        let (ticket, packet) = self.send_any(command, now_ms)?;
+        Ok((ticket.of(), packet))
+    }
+
+    /// Like `send`, also for a command whose type is not known.
+    pub(crate) fn send_any<C: AnyCommand + ?Sized>(
+        &mut self,
+        command: &C,
+        now_ms: u32,
+    ) -> Result<(Ticket<()>, Packet<'_>), RequestError> {
         let table = self.table_mut();
         let ticket = table.add(command, Some(now_ms))?;
         Ok((ticket, table.packet.packet()))
@@ -616,6 +666,12 @@ impl<const N: usize> Client<N> {
         Events { table, fields }
     }
 
+    /// Like `receive`, but returns whether the packet contains more than replies.
+    pub(crate) fn finds_data(&mut self, packet: &Packet<'_>) -> bool {
+        let (table, fields) = (self.table_mut(), packet.fields());
+        !table.passes(&fields) && table.receive(fields)
+    }
+
     /// Returns the events that have not been taken: from earlier packets and from time-outs.
     pub fn events(&mut self) -> Events<'_, 'static> {
         Events { table: self.table_mut(), fields: Fields::NONE }
@@ -634,9 +690,31 @@ impl<const N: usize> Client<N> {
         ticket: &Ticket<C>,
     ) -> Option<Result<C::Response, CommandError>> {
         if ticket.silent {
-            return Some(unanswered::<C>());
+            return Some(response::<C>(None));
         }
-        self.table().take(ticket.id).map(Event::decoded)
+        self.table().take(ticket.id).map(Event::decoded::<C>)
+    }
+
+    /// Takes the undecoded response to this command, which no longer waits.
+    pub(crate) fn take_reply(
+        &self,
+        ticket: Ticket<()>,
+        command: &dyn AnyCommand,
+    ) -> Result<Option<RawField<'_>>, CommandError> {
+        let reply = match self.table().take(ticket.id) {
+            Some(event) => event.reply(),
+            None if ticket.silent => Ok(None),
+            None => Err(Reason::TimedOut),
+        };
+        reply.map_err(|reason| CommandError::new(command.kind().name, reason))
+    }
+
+    /// May noise be why this command, which no longer waits, has no result?
+    pub(crate) fn may_be_noise(&self, ticket: Ticket<()>) -> bool {
+        match self.known_event(&ticket).map(Event::outcome) {
+            Some(outcome) => !matches!(outcome, Ok(()) | Err(Reason::Refused(_))),
+            None => !ticket.silent,
+        }
     }
 
     /// Takes the event of this command, if there is one. Events of other commands are kept.
@@ -692,9 +770,9 @@ impl<const N: usize> Client<N> {
         ticket: &Ticket<C>,
     ) -> Option<Result<C::Response, CommandError>> {
         if ticket.silent {
-            return Some(unanswered::<C>());
+            return Some(response::<C>(None));
         }
-        self.known_event(ticket).map(Event::decoded)
+        self.known_event(ticket).map(Event::decoded::<C>)
     }
 
     /// Like [`Client::take_event`], but the event is kept.
@@ -713,8 +791,7 @@ impl<const N: usize> Client<N> {
 
     /// Is every packet data, because no reply is expected?
     pub(crate) fn is_idle(&self) -> bool {
-        let table = self.table();
-        table.behind == 0 && table.waiting().next().is_none()
+        self.table().behind == 0 && self.pending() == 0
     }
 
     fn table(&self) -> &Slots {
@@ -732,14 +809,14 @@ impl Slots {
     }
 
     /// Adds a command to the packet; `sent_ms` is the time if the packet is sent at once.
-    fn add<C: Command>(
+    fn add<C: AnyCommand + ?Sized>(
         &mut self,
         command: &C,
         sent_ms: Option<u32>,
-    ) -> Result<Ticket<C>, RequestError> {
-        let (silent, wanted) = (!command.expects_reply(), command.response_check());
-        let encode = |writer: &mut Writer<'_>| command.encode_to(writer);
-        let id = self.enter(KindOf::<C>::KIND, silent, wanted, &encode, sent_ms)?;
+    ) -> Result<Ticket<()>, RequestError> {
+        let (silent, wanted) = (command.is_silent(), command.wanted());
+        let encode = |writer: &mut Writer<'_>| command.write_to(writer);
+        let id = self.enter(command.kind(), silent, wanted, &encode, sent_ms)?;
         Ok(Ticket { id, silent, command: PhantomData })
     }
 
@@ -838,9 +915,10 @@ impl Slots {
     }
 
     /// Looks for replies to commands, and marks the fields that belong to them.
-    fn receive(&mut self, mut fields: Fields<'_>) {
+    /// Returns whether there are others.
+    fn receive(&mut self, mut fields: Fields<'_>) -> bool {
         self.taken = [0; 4];
-        let (mut at, mut left) = (0, 0);
+        let (mut at, mut left, mut others) = (0, 0, false);
         while let Some(field) = fields.sound() {
             if left == 0 {
                 left = self.answers(&field, &fields);
@@ -848,9 +926,12 @@ impl Slots {
             if left > 0 {
                 self.take_field(at);
                 left = left.wrapping_sub(1);
+            } else {
+                others = true;
             }
             at = at.wrapping_add(1);
         }
+        others || !fields.payload().is_empty()
     }
 
     fn take_field(&mut self, at: u8) {
@@ -943,11 +1024,6 @@ impl Slots {
     }
 }
 
-/// Returns the result of a command that the device does not answer.
-fn unanswered<C: Command>() -> Result<C::Response, CommandError> {
-    C::Response::absent().ok_or_else(|| CommandError::of::<C>(Reason::MissingResponse))
-}
-
 /// Counts one more command without a reply.
 fn miss(missed: &mut u8) {
     *missed = if *missed < BARRIERS { missed.wrapping_add(1) } else { 1 };
@@ -1012,7 +1088,7 @@ impl<'c> Request<'c> {
         if set != C::SET {
             return Err(EncodeError::set(C::NAME, C::SET, set).into());
         }
-        self.table.add(command, None)
+        self.table.add(command, None).map(Ticket::of)
     }
 
     /// Appends a command whose type is known only at run time.

@@ -215,6 +215,12 @@ impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
     pub fn into_command(self) -> C {
         self.0
     }
+
+    /// Borrows the command; its function must remain.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn command_mut(&mut self) -> &mut C {
+        &mut self.0
+    }
 }
 
 impl<C, const FUNCTION: u8> Deref for Call<C, FUNCTION> {
@@ -293,6 +299,10 @@ impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
 
     #[inline]
     fn response_check(&self) -> Option<ResponseCheck> {
+        // The type knows: a program that only writes has no code for the responses to a read.
+        if Self::Response::DESCRIPTORS.is_empty() {
+            return None;
+        }
         self.0.response_check()
     }
 }

@@ -39,15 +39,17 @@
 //! sends it, and sets the port to the new rate. It exists if the specification has the commands for
 //! it.
 
+use core::cell::Cell;
 use core::fmt;
 
 use crate::client::{
-    after, has_passed, Client, CommandError, Event, Reason, Request, RequestError, Ticket,
+    after, has_passed, response, AnyCommand, Client, CommandError, Event, Request, RequestError,
+    Ticket,
 };
 use crate::error::DecodeError;
-use crate::field::Command;
+use crate::field::{Command, RawField};
 use crate::packet::{FromPacket, Packet, MAX_PACKET};
-use crate::parser::Parser;
+use crate::parser::{copy, Parser};
 use crate::protocol::DescriptorSet;
 use crate::time::Time;
 use crate::timed::{next_fields, Timed};
@@ -286,9 +288,13 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
 
     /// Processes received bytes, and returns whether they complete a packet.
     fn arrived(&mut self, mut bytes: &[u8]) -> bool {
-        let mut found = false;
+        let (mut found, idle) = (false, self.client.is_idle());
         while let Some(packet) = self.parser.next(&mut bytes) {
-            sort(&mut self.client, &mut self.data, &packet);
+            if !idle {
+                sort(&mut self.client, &mut self.data, &packet);
+            } else if !packet.payload().is_empty() {
+                self.data.push(packet.bytes()); // the usual case
+            }
             found = true;
         }
         found
@@ -322,13 +328,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         self.client.clear();
     }
 
-    /// Takes the outcome of a command that no longer waits.
-    fn result<C: Command, E>(&mut self, ticket: &Ticket<C>) -> Result<C::Response, DeviceError<E>> {
-        let timed_out = Err(CommandError::of::<C>(Reason::TimedOut));
-        Ok(self.client.take(ticket).unwrap_or(timed_out)?)
-    }
-
-    /// Like `result`, but the answer is kept.
+    /// Returns the response to a command that no longer waits, and keeps it.
     fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Result<C::Response, CommandError> {
         all::response(ticket, &self.client)
     }
@@ -340,12 +340,7 @@ fn sort<const N: usize, const Q: usize>(
     data: &mut Queue<Q>,
     packet: &Packet<'_>,
 ) {
-    let is_data = if client.is_idle() {
-        !packet.payload().is_empty()
-    } else {
-        client.receive(packet).others().next().is_some()
-    };
-    if is_data {
+    if client.finds_data(packet) {
         data.push(packet.bytes());
     }
 }
@@ -369,22 +364,19 @@ impl<const Q: usize> Queue<Q> {
             self.dropped = self.dropped.wrapping_add(1);
             return;
         }
-        while Q.saturating_sub(self.len()) < packet.len() {
+        while Q.wrapping_sub(self.len()) < packet.len() {
             self.dropped = self.dropped.wrapping_add(1);
             let _ = self.pop();
         }
-        if Q.saturating_sub(self.end) < packet.len() {
-            let (mut from, mut to) = (self.start, 0);
-            while from < self.end {
-                let byte = self.bytes.get(from).copied().unwrap_or(0);
-                self.bytes.iter_mut().skip(to).take(1).for_each(|place| *place = byte);
-                (from, to) = (from.wrapping_add(1), to.wrapping_add(1));
-            }
-            (self.start, self.end) = (0, to);
+        if Q.wrapping_sub(self.end) < packet.len() {
+            let places = Cell::from_mut(self.bytes.as_mut_slice()).as_slice_of_cells();
+            let kept = places.get(self.start..self.end).unwrap_or_default();
+            places.iter().zip(kept).for_each(|(to, from)| to.set(from.get()));
+            (self.start, self.end) = (0, kept.len());
         }
-        let free = self.bytes.iter_mut().skip(self.end);
-        free.zip(packet).for_each(|(place, byte)| *place = *byte);
-        self.end = self.end.saturating_add(packet.len());
+        let end = self.end.wrapping_add(packet.len());
+        copy(self.bytes.get_mut(self.end..end).unwrap_or_default(), packet);
+        self.end = end;
     }
 
     fn pop(&mut self) -> Option<Packet<'_>> {
@@ -395,7 +387,7 @@ impl<const Q: usize> Queue<Q> {
     }
 
     const fn len(&self) -> usize {
-        self.end.saturating_sub(self.start)
+        self.end.wrapping_sub(self.start)
     }
 }
 
@@ -485,11 +477,28 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         &mut self,
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
-        let now_ms = self.begin()?;
-        let (ticket, packet) = self.core.client.send(command, now_ms)?;
-        self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
-        self.wait()?;
-        self.core.result(&ticket)
+        Ok(response::<C>(self.exchange(command, 1)?)?)
+    }
+
+    /// Sends a command, and returns the undecoded response; again, up to this number of times, if
+    /// noise may be why there is none. This does not depend on the command's type, so that its code
+    /// exists once.
+    pub(crate) fn exchange(
+        &mut self,
+        command: &dyn AnyCommand,
+        mut attempts: u8,
+    ) -> Result<Option<RawField<'_>>, DeviceError<P::Error>> {
+        let ticket = loop {
+            let now_ms = self.begin().map_err(DeviceError::Port)?;
+            let (ticket, packet) = self.core.client.send_any(command, now_ms)?;
+            self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
+            self.wait().map_err(DeviceError::Port)?;
+            attempts = attempts.saturating_sub(1);
+            if attempts == 0 || !self.core.client.may_be_noise(ticket) {
+                break ticket;
+            }
+        };
+        Ok(self.core.client.take_reply(ticket, command)?)
     }
 
     /// Sends several commands of one descriptor set in one packet, and returns their responses.
@@ -546,14 +555,14 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         set: DescriptorSet,
         add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
     ) -> Result<T, DeviceError<P::Error>> {
-        let now_ms = self.begin()?;
+        let now_ms = self.begin().map_err(DeviceError::Port)?;
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
         let packet = request.send(now_ms);
         if !packet.payload().is_empty() {
             self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
         }
-        self.wait()?;
+        self.wait().map_err(DeviceError::Port)?;
         Ok(tickets)
     }
 
@@ -562,7 +571,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// # Errors
     ///
     /// The device rejected or did not answer the command; or it was sent before the last call
-    /// ([`Reason::Forgotten`]).
+    /// ([`Reason::Forgotten`](crate::client::Reason::Forgotten)).
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Result<C::Response, CommandError> {
         self.core.answer(ticket)
     }
@@ -576,29 +585,38 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Forgets the earlier commands, takes in what waits, and sends a barrier if a command was not
     /// answered.
-    fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
+    fn begin(&mut self) -> Result<u32, P::Error> {
         self.core.client.clear();
         let mut backlog = BACKLOG; // bytes may arrive without end
-        while backlog > 0 && self.port.waits().map_err(DeviceError::Port)? && self.read()? {
+        while backlog > 0 && self.port.waits()? && self.read()? {
             backlog = backlog.saturating_sub(1);
         }
         if let Some(barrier) = self.core.client.barrier() {
-            self.port.write(barrier.bytes()).map_err(DeviceError::Port)?;
+            self.port.write(barrier.bytes())?;
         }
         Ok(self.port.now_ms())
     }
 
     /// Waits until no command is pending.
-    fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
-        let mut waited = Waited::new();
+    fn wait(&mut self) -> Result<(), P::Error> {
         while let Some(deadline) = self.core.client.deadline() {
-            let came = self.read()?;
-            let now_ms = self.port.now_ms();
-            if waited.is_over(deadline, now_ms, came) {
-                self.core.tick(now_ms);
+            if !self.read_until(deadline, |core| core.client.pending() == 0)? {
+                self.core.tick(self.port.now_ms());
             }
         }
         Ok(())
+    }
+
+    /// Reads until the condition holds, or this time; returns whether it holds.
+    fn read_until(&mut self, end: u32, holds: fn(&Core<N, Q>) -> bool) -> Result<bool, P::Error> {
+        let mut waited = Waited::new();
+        while !holds(&self.core) {
+            let came = self.read()?;
+            if waited.is_over(end, self.port.now_ms(), came) {
+                return Ok(holds(&self.core));
+            }
+        }
+        Ok(true)
     }
 
     /// Sends up to two pings until any packet arrives, because bytes of another baud rate may spoil
@@ -609,23 +627,17 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         ping: &C,
         wait_ms: u32,
     ) -> Result<bool, DeviceError<P::Error>> {
+        let came = |core: &Core<N, Q>| core.client.pending() == 0 || core.data.len() > 0;
         let mut heard = false;
         self.core.parser = Parser::new();
+        self.discard();
         for _ in 0..2 {
             self.core.client.clear();
             let end = after(self.port.now_ms(), wait_ms);
             let (_, packet) = self.core.client.send(ping, end)?;
             self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
-            let mut waited = Waited::new();
-            while !heard {
-                let mut chunk = [0; CHUNK];
-                let count = self.port.read(&mut chunk).map_err(DeviceError::Port)?;
-                heard = self.core.arrived(chunk.get(..count).unwrap_or_default());
-                if waited.is_over(end, self.port.now_ms(), count > 0) {
-                    heard = heard || self.core.look_behind();
-                    break;
-                }
-            }
+            let came = self.read_until(end, came).map_err(DeviceError::Port)?;
+            heard = came || self.core.look_behind();
             if heard {
                 break;
             }
@@ -656,17 +668,14 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     #[allow(dead_code)] // without the features of command sets
     pub(crate) fn pass(&mut self, wait_ms: u32) -> Result<(), DeviceError<P::Error>> {
         let end = after(self.port.now_ms(), wait_ms);
-        while !has_passed(end, self.port.now_ms()) {
-            self.read()?;
-        }
-        Ok(())
+        self.read_until(end, |_| false).map(drop).map_err(DeviceError::Port)
     }
 
     /// Reads once, and returns whether bytes have arrived.
-    fn read(&mut self) -> Result<bool, DeviceError<P::Error>> {
+    fn read(&mut self) -> Result<bool, P::Error> {
         let mut chunk = [0; CHUNK];
         let part = self.core.part(&mut chunk);
-        let count = self.port.read(part).map_err(DeviceError::Port)?;
+        let count = self.port.read(part)?;
         self.core.arrived(part.get(..count).unwrap_or_default());
         Ok(count > 0)
     }
@@ -701,16 +710,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.client.give_up();
         if self.core.data.len() == 0 {
             let end = after(self.port.now_ms(), wait_ms);
-            let mut waited = Waited::new();
-            loop {
-                let came = self.read()?;
-                if self.core.data.len() > 0 {
-                    break;
-                }
-                if waited.is_over(end, self.port.now_ms(), came) {
-                    self.core.look_behind();
-                    break;
-                }
+            let came = self.read_until(end, |core| core.data.len() > 0);
+            if !came.map_err(DeviceError::Port)? {
+                self.core.look_behind();
             }
         }
         Ok(self.core.data.pop())

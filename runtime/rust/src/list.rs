@@ -76,11 +76,14 @@ impl fmt::Display for CapacityError {
 error!(CapacityError);
 
 impl<T: Item, const N: usize> List<T, N> {
+    /// A constant, so that creating a list clears memory instead of copying it.
+    const NEW: Self = Self { items: [T::BLANK; N], given: 0 };
+
     /// Creates an empty list.
     #[inline]
     #[must_use]
     pub const fn new() -> Self {
-        Self { items: [T::BLANK; N], given: 0 }
+        Self::NEW
     }
 
     /// Creates a list of these items.

@@ -360,7 +360,7 @@ macro_rules! optional {
 /// Adds a command to a request; `None` for other fields.
 macro_rules! add_to {
     (Command, $request:ident, $field:ident) => {
-        Some($request.add($field).map(Ticket::untyped))
+        Some($request.add($field).map(Ticket::of))
     };
     ($role:ident, $request:ident, $field:ident) => {{
         let _ = $field;

@@ -5,15 +5,14 @@
 
 use core::fmt;
 
+use crate::client::response;
 use crate::device::{Device, DeviceError, Port};
 #[cfg(feature = "devices")]
 use crate::devices::{model_number, Known, Profile, Rejected};
 use crate::error::EncodeError;
 #[allow(unused_imports)]
 use crate::types;
-#[cfg(feature = "devices")]
-use crate::List;
-use crate::{Command, CommandError, DescriptorSet, Field, Reason};
+use crate::{Command, CommandError, DescriptorSet, Field, List, Reason};
 
 /// The baud rates of all known devices: the usual one first, the others in descending order.
 #[rustfmt::skip]
@@ -135,23 +134,54 @@ impl Rate {
     }
 
     /// Returns the decimation whose rate is nearest to `hz`.
+    ///
+    /// This computes with integers: on a microcontroller that has none for floats, the functions of
+    /// the compiler would take 2 kB.
     fn decimation(&self, base: u16) -> u16 {
-        let (base, wanted) = (f32::from(base), self.hz);
-        if wanted >= base || wanted.is_nan() {
-            return 1;
-        }
-        if wanted * f32::from(u16::MAX) <= base {
+        let wanted = self.hz.to_bits(); // they have the order of positive floats
+        if self.hz.is_sign_negative() || wanted <= quotient(base, u16::MAX).to_bits() {
             return u16::MAX;
         }
-        let below = (base / wanted) as u16;
-        let above = below.saturating_add(1);
-        let (faster, slower) = (base / f32::from(below), base / f32::from(above));
-        if faster - wanted <= wanted - slower {
-            below
-        } else {
-            above
+        if wanted >= quotient(base, 1).to_bits() {
+            return 1;
         }
+        // `hz` times 2 to the power of `scale`, and the base rate times the same.
+        let scale = 150_u32.wrapping_sub(wanted >> 23);
+        let wanted = u64::from(wanted & 0x7F_FFFF | 0x80_0000);
+        let base = u64::from(base).wrapping_shl(scale);
+        // The greatest decimation whose rate is at least `hz`, bit by bit.
+        let (mut below, mut bit) = (0, 1 << 15);
+        while bit > 0 {
+            if wanted.wrapping_mul(below | bit) <= base {
+                below |= bit;
+            }
+            bit >>= 1;
+        }
+        // Is `hz` at least the mean of its rate and the next one?
+        let above = below.wrapping_add(1);
+        let product = wanted.wrapping_mul(below).wrapping_mul(above);
+        let sum = base.wrapping_mul(below.wrapping_add(above));
+        (if product.wrapping_mul(2) >= sum { below } else { above }) as u16
     }
+}
+
+/// Divides as floats are divided: the result is the nearest one.
+fn quotient(base: u16, decimation: u16) -> f32 {
+    if base == 0 {
+        return 0.0;
+    }
+    // Long division, until there is one binary digit more than a float has.
+    let (mut dividend, divisor) = (u32::from(base) << 16, u32::from(decimation));
+    let (mut rest, mut digits, mut exponent) = (0_u32, 0_u32, 166_u32);
+    while digits < 1 << 24 {
+        rest = rest << 1 | dividend >> 31;
+        dividend <<= 1;
+        let fits = rest >= divisor;
+        rest = rest.wrapping_sub(if fits { divisor } else { 0 });
+        digits = digits << 1 | u32::from(fits);
+        exponent = exponent.wrapping_sub(1);
+    }
+    f32::from_bits((exponent << 23).wrapping_add(digits.wrapping_add(1) >> 1))
 }
 
 /// The reason why a stream was not started.
@@ -266,12 +296,6 @@ fn is_refused<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
     matches!(reason(result), Some(Reason::Refused(_)))
 }
 
-/// May noise have caused the error of a command?
-fn may_be_noise<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
-    let noise = [Some(Reason::TimedOut), Some(Reason::MissingResponse)];
-    noise.contains(&reason(result)) || matches!(reason(result), Some(Reason::Undecodable(_)))
-}
-
 /// Returns `None` for the error of a command.
 #[cfg(feature = "devices")]
 fn answered<T, E>(result: Result<T, DeviceError<E>>) -> Result<Option<T>, DeviceError<E>> {
@@ -340,7 +364,8 @@ $($of)* {
         rates: &[Rate],
     ) -> Result<u16, StreamError<P::Error>> {
         for rate in rates {
-            if let Some(first) = rate.sets.first().filter(|_| !rate.sets.contains(&set)) {
+            let occurs = rate.sets.iter().any(|x| x.0 == set.0); // smaller than `contains`
+            if let Some(first) = rate.sets.first().filter(|_| !occurs) {
                 let error = EncodeError::set(rate.name, *first, set);
                 return Err(DeviceError::Request(error.into()).into());
             }
@@ -359,10 +384,14 @@ $($of)* {
         let current = older_rate.filter(|rate| !is_refused(rate)).unwrap_or(current);
         let base = self.explained(current, &read)$($await)*?;
         for rate in rates {
-            let nearest = f32::from(base) / f32::from(rate.decimation(base));
-            let exists = base == 0 || rate.hz == f32::INFINITY || rate.hz == nearest;
-            if !exists || rate.hz == 0.0 {
-                let Rate { descriptor, hz: wanted, name, .. } = *rate;
+            let Rate { descriptor, hz: wanted, name, .. } = *rate;
+            let decimation = rate.decimation(base);
+            let nearest = quotient(base, decimation);
+            let exists = match base {
+                0 => decimation == 1,
+                _ => wanted == nearest || wanted == f32::INFINITY,
+            };
+            if !exists {
                 return Err(StreamError::NoSuchRate { descriptor, name, wanted, nearest, base });
             }
         }
@@ -370,25 +399,29 @@ $($of)* {
         let fields = fields.map(|x| types::DescriptorRate::new(x.descriptor, x.decimation(base)));
         match set.0 {
             0x80 if older => {
-                let format = crate::mip_3dm::ImuMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
+                let mut format = crate::mip_3dm::ImuMessageFormat::write(List::new()); // filled in place: it is large
+                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
                 let done = self.repeat(&format)$($await)*;
                 self.explained(done, &format)$($await)*?;
                 self.repeat(&crate::mip_3dm::DataStreamControl::write(1, true))$($await)*?;
             }
             0x81 if older => {
-                let format = crate::mip_3dm::GnssMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
+                let mut format = crate::mip_3dm::GnssMessageFormat::write(List::new()); // filled in place: it is large
+                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
                 let done = self.repeat(&format)$($await)*;
                 self.explained(done, &format)$($await)*?;
                 self.repeat(&crate::mip_3dm::DataStreamControl::write(2, true))$($await)*?;
             }
             0x82 if older => {
-                let format = crate::mip_3dm::FilterMessageFormat::write(fields.collect::<crate::List<types::DescriptorRate, 83>>());
+                let mut format = crate::mip_3dm::FilterMessageFormat::write(List::new()); // filled in place: it is large
+                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
                 let done = self.repeat(&format)$($await)*;
                 self.explained(done, &format)$($await)*?;
                 self.repeat(&crate::mip_3dm::DataStreamControl::write(3, true))$($await)*?;
             }
             _ => {
-                let format = crate::mip_3dm::MessageFormat::write(set, fields.collect::<crate::List<types::DescriptorRate, 83>>());
+                let mut format = crate::mip_3dm::MessageFormat::write(set, List::new()); // filled in place: it is large
+                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
                 let done = self.repeat(&format)$($await)*;
                 self.explained(done, &format)$($await)*?;
                 self.repeat(&crate::mip_3dm::DataStreamControl::write(set, true))$($await)*?;
@@ -499,14 +532,7 @@ $($of)* {
         &mut self,
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
-        let mut left = ATTEMPTS;
-        loop {
-            left = left.saturating_sub(1);
-            let result = self.request(command)$($await)*;
-            if left == 0 || !may_be_noise(&result) {
-                return result;
-            }
-        }
+        Ok(response::<C>(self.exchange(command, ATTEMPTS)$($await)*?)?)
     }
 }
     };

@@ -18,7 +18,8 @@ class Start:
 
     base_rate: str
     rate: str  # the member of its response
-    format: str  # contains `fields`, an iterator
+    format: str  # with an empty list
+    items: str  # that list, in a variable `format`
     stream: str
 
 
@@ -55,12 +56,14 @@ def compose(model: m.Model) -> Session | None:
         return f"{names.path(f, '')}::{crate.record(f).constructors[0].name}({', '.join(arguments)})"
 
     def start(base_rate: lower.Rate, message_format: m.Field, stream: str, *arguments: str) -> Start:
-        entries = next(p for p in message_format.calls[0].required if p.kind == "array")
-        fields = f"fields.collect::<{crate.type_of(entries, '')}>()"
+        items = names.member(next(p for p in message_format.calls[0].required if p.kind == "array").name)
+        if message_format.selector:  # the other functions have none
+            items = f"command_mut().{items}.get_or_insert_with(List::new)"
         return Start(
             call(base_rate.command, *arguments),
             names.member(base_rate.parameter.name),
-            call(message_format, *arguments, fields),
+            call(message_format, *arguments, "List::new()"),
+            f"format.{items}",
             call(commands.stream, stream, "true"),
         )
 

@@ -8,7 +8,8 @@ use embedded_io_async::{Error, ErrorKind, Read, Write};
 
 use super::{is_over, Client, Command, CommandError, Commands, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
-use crate::client::{Event, Request, Ticket};
+use crate::client::{response, Event, Request, Ticket};
+use crate::field::RawField;
 use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, Parser};
 use crate::protocol::DescriptorSet;
@@ -129,10 +130,26 @@ where
         &mut self,
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
-        self.begin().await?;
-        let (ticket, _) = self.core.client.send(command, 0)?; // times are relative to this moment
-        self.exchange().await?;
-        self.core.result(&ticket)
+        Ok(response::<C>(self.exchange(command, 1).await?)?)
+    }
+
+    /// Sends a command, and returns the undecoded response; again, up to this number of times, if
+    /// noise may be why there is none. What it awaits does not depend on the command's type.
+    pub(crate) async fn exchange<C: Command>(
+        &mut self,
+        command: &C,
+        mut attempts: u8,
+    ) -> Result<Option<RawField<'_>>, DeviceError<P::Error>> {
+        let ticket = loop {
+            self.begin().await?;
+            let (ticket, _) = self.core.client.send_any(command, 0)?; // times are relative to this moment
+            self.finish().await?;
+            attempts = attempts.saturating_sub(1);
+            if attempts == 0 || !self.core.client.may_be_noise(ticket) {
+                break ticket;
+            }
+        };
+        Ok(self.core.client.take_reply(ticket, command)?)
     }
 
     /// Sends several commands of one descriptor set in one packet, and returns their responses.
@@ -163,7 +180,7 @@ where
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
         let _ = request.send(0);
-        self.exchange().await?;
+        self.finish().await?;
         Ok(tickets)
     }
 
@@ -181,7 +198,7 @@ where
 
     /// Sends the packet in the client, and waits until no command is pending. This does not depend
     /// on the types of commands, so that its code exists once.
-    async fn exchange(&mut self) -> Result<(), DeviceError<P::Error>> {
+    async fn finish(&mut self) -> Result<(), DeviceError<P::Error>> {
         let packet = self.core.client.packet();
         if !packet.payload().is_empty() {
             write(&mut self.port, packet.bytes()).await?;

@@ -17,6 +17,7 @@ use tokio_serial::{SerialPort as _, SerialPortBuilderExt, SerialStream};
 
 use super::line::{is_host, named, recorded, refused, serial_name, Record, PAUSE, USUAL, WRITE};
 use super::{is_over, AsyncDevice, Core, DeviceError, BACKLOG, CHUNK};
+use crate::client::response;
 use crate::field::Command;
 use crate::owned::PacketBuf;
 use crate::packet::FromPacket;
@@ -244,7 +245,7 @@ impl CommandHalf {
             client.clear();
             let barrier = client.barrier().map(|packet| packet.bytes().to_vec());
             let mut bytes = barrier.unwrap_or_default();
-            let (ticket, packet) = client.send(command, start.elapsed().as_millis() as u32)?;
+            let (ticket, packet) = client.send_any(command, start.elapsed().as_millis() as u32)?;
             bytes.extend_from_slice(packet.bytes());
             (ticket, bytes)
         };
@@ -253,7 +254,9 @@ impl CommandHalf {
             let mut next = pin!(arrived.notified());
             next.as_mut().enable();
             let deadline = self.shared.core().client.deadline();
-            let Some(deadline) = deadline else { return self.shared.core().result(&ticket) };
+            let Some(deadline) = deadline else {
+                return Ok(response::<C>(self.shared.core().client.take_reply(ticket, command)?)?);
+            };
             let left = deadline.wrapping_sub(start.elapsed().as_millis() as u32);
             let left = if left > u32::MAX >> 1 { 0 } else { left };
             if timeout(Duration::from_millis(left.into()), next).await.is_err() {
