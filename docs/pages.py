@@ -118,7 +118,7 @@ def commands() -> str:
         return subprocess.run(line, env=environment, capture_output=True, text=True, check=True).stdout
 
     whole = help_of()
-    names = re.findall(r"^ {2}([a-z-]+) ", whole, re.M)
+    names = re.findall(r"^ {2}([a-z][a-z-]*) ", whole, re.M)
     sections = [f"## {name}\n\n```text\n{help_of(name)}```\n" for name in names]
     return "\n".join(["# Commands and options\n", f"```text\n{whole}```\n", *sections])
 
