@@ -11,13 +11,14 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from functools import cache
 from io import TextIOWrapper
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Any
 
+import support
 from mip_protocol import base, mip_3dm, types
 from mip_simulator import VirtualDevice
 from mip_tools import __main__
@@ -145,12 +146,9 @@ def running(*arguments: object, **options: Any) -> Iterator[subprocess.Popen[byt
         process.communicate()
 
 
-@contextmanager
-def simulated(*options: object, device: str = DEVICE) -> Iterator[str]:
+def simulated(*options: str, device: str = DEVICE) -> AbstractContextManager[str]:
     """A virtual device at a TCP port, as `mip` names it."""
-    with running("simulate", device, "--tcp", "0", *options) as process:
-        assert process.stdout is not None
-        yield process.stdout.readline().decode().strip()
+    return support.simulated("--tcp", "0", *options, device=device)
 
 
 RATES = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import ast
 import contextlib
 import fcntl
@@ -13,6 +14,7 @@ import pickle
 import shutil
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -485,13 +487,25 @@ def tree(folder: Path) -> dict[str, bytes]:
 
 @contextmanager
 def simulated(*arguments: str, device: str = "3dm-cv7-gnss-ins") -> Iterator[str]:
-    """Runs a virtual device; yields its address."""
-    command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
-    try:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip()
-    finally:
-        process.terminate()
-        process.communicate(timeout=PATIENCE)
+    """Runs a virtual device as `mip simulate` does, in a thread: starting a process takes longer than most tests.
+    Yields its address."""
+    simulate = importlib.import_module("mip_simulator.command")
+    parser = argparse.ArgumentParser()
+    simulate.add_arguments(parser)
+    options = parser.parse_args([device, *arguments])
+    places: list[str] = []
+    with contextlib.ExitStack() as stack:
+        _, server = simulate.served(options, stack, places.append, lambda text: None)
+        stack.enter_context(server)
+
+        def serve() -> None:
+            server.run()
+            server.close()  # at the end of its duration, too
+
+        thread = threading.Thread(target=serve, daemon=True)
+        thread.start()
+        try:
+            yield places[0]
+        finally:
+            server.stop()
+            thread.join(PATIENCE)

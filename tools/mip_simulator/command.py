@@ -102,31 +102,39 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    profile = _profile(options.device)
-    endpoints = _endpoints(options, profile)
-    _different(endpoints)
-    if options.log_packets and options.fault_log is None:
-        raise Misuse("--log-packets needs a file; add --fault-log FILE")
     with ExitStack() as stack:
-        file = _log(options, stack)
-        device = _device(profile, options, None if file is None else json_log(file))
-        server = Server(
-            device,
-            endpoints,
-            options.speed,
-            duration=options.duration,
-            strict_baud=options.strict_baud,
-            seed=options.seed,
-            ready=lambda text: print(text, flush=True),
-            complain=_complain,
-        )
+        device, server = served(options, stack, lambda text: print(text, flush=True), _complain)
         stack.enter_context(signals.handled(lambda number, frame: server.stop()))
         stack.enter_context(server)
+        profile = _profile(options.device)
         _introduce(profile, options.certain)
         server.run()
     if device.rtcm_frames:
         _complain(f"{profile.title} has received {count_text(device.rtcm_frames, 'RTCM frame')}")
     return 0
+
+
+def served(
+    options: argparse.Namespace, stack: ExitStack, ready: Callable[[str], None], complain: Callable[[str], None]
+) -> tuple[VirtualDevice, Server]:
+    """Makes a device and its server. `stack` closes its log of faults; `ready` is called with each endpoint."""
+    profile = _profile(options.device)
+    endpoints = _endpoints(options, profile)
+    _different(endpoints)
+    if options.log_packets and options.fault_log is None:
+        raise Misuse("--log-packets needs a file; add --fault-log FILE")
+    file = _log(options, stack)
+    device = _device(profile, options, None if file is None else json_log(file))
+    return device, Server(
+        device,
+        endpoints,
+        options.speed,
+        duration=options.duration,
+        strict_baud=options.strict_baud,
+        seed=options.seed,
+        ready=ready,
+        complain=complain,
+    )
 
 
 def _device(profile: Device, options: argparse.Namespace, log: Log | None) -> VirtualDevice:
