@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from mipgen.emit.target import OPERATIONS
-from support import OFFERS, ROOT, SOURCES, WITHIN, build_script, heavy
+from support import OFFERS, ROOT, SOURCES, WITHIN, build_script
 
 #: A target whose driver finds packets, and nothing else.
 TARGET = """
@@ -79,7 +79,6 @@ def suite(targets: Path) -> str:
     return done.stdout + done.stderr
 
 
-@heavy("the suite for targets of others")
 def test_the_suite_asks_a_target_of_others_what_it_declares(tmp_path: Path) -> None:
     """It leaves out, by name, those whose tools or programs are not there; a wrong driver fails."""
     mine(tmp_path)
