@@ -7,7 +7,7 @@ use microstrain_inertial::api::{
     data::sensor::{self, SensorField, SensorPacket},
 };
 use microstrain_inertial::{interface::AsyncInterface, serialport::start_serialport_thread};
-use tokio::time::timeout;
+use tokio::time::{sleep, timeout};
 
 const PATIENCE: Duration = Duration::from_secs(5);
 
@@ -15,6 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 async fn main() {
     let interface = Arc::new(AsyncInterface::new());
     start_serialport_thread(&std::env::args().nth(1).unwrap(), 115_200, interface.clone()).unwrap();
+    sleep(PATIENCE / 10).await; // when its receiving thread begins, it discards what has arrived
     println!("{:?}", timeout(PATIENCE, interface.ping()).await.unwrap().unwrap().acknack);
     let rates = [sensor::ScaledAccel::DESCRIPTOR, sensor::ScaledGyro::DESCRIPTOR]
         .map(|descriptor| DescriptorRate { descriptor, decimation: 100 });
