@@ -89,6 +89,20 @@ pub(crate) struct Kind {
     responses: &'static [u8],
 }
 
+/// Returns them.
+#[allow(dead_code)] // without the features of command sets
+pub(crate) const fn kind<C: Command>() -> &'static Kind {
+    KindOf::<C>::KIND
+}
+
+impl Kind {
+    /// Returns the name of the command in the specification.
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) const fn name(&self) -> &'static str {
+        self.name
+    }
+}
+
 struct KindOf<C>(PhantomData<C>);
 
 impl<C: Command> KindOf<C> {
@@ -127,6 +141,47 @@ impl<C: Command> AnyCommand for C {
 
     fn write_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
         self.encode_to(writer)
+    }
+}
+
+/// A command in bytes: for a few commands, this takes less code than their types.
+#[allow(dead_code)] // without the features of command sets
+pub(crate) struct Bytes<'d> {
+    pub(crate) kind: &'static Kind,
+    /// The check for the response that it requests.
+    pub(crate) check: Option<ResponseCheck>,
+    pub(crate) data: &'d [u8],
+}
+
+#[allow(dead_code)] // without the features of command sets
+impl<'d> Bytes<'d> {
+    /// Creates a command without a response.
+    pub(crate) const fn of(kind: &'static Kind, data: &'d [u8]) -> Self {
+        Self { kind, check: None, data }
+    }
+
+    /// Returns the field that is sent.
+    #[cfg(feature = "devices")]
+    pub(crate) const fn field(&self) -> RawField<'d> {
+        RawField { set: self.kind.set, descriptor: self.kind.descriptor, data: self.data }
+    }
+}
+
+impl AnyCommand for Bytes<'_> {
+    fn kind(&self) -> &'static Kind {
+        self.kind
+    }
+
+    fn is_silent(&self) -> bool {
+        false
+    }
+
+    fn wanted(&self) -> Option<ResponseCheck> {
+        self.check
+    }
+
+    fn write_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+        writer.put(self.data)
     }
 }
 

@@ -43,8 +43,8 @@ use core::cell::Cell;
 use core::fmt;
 
 use crate::client::{
-    after, has_passed, response, AnyCommand, Client, CommandError, Event, Request, RequestError,
-    Ticket,
+    after, has_passed, response, AnyCommand, Bytes, Client, CommandError, Event, Request,
+    RequestError, Ticket,
 };
 use crate::error::DecodeError;
 use crate::field::{Command, RawField};
@@ -622,9 +622,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Sends up to two pings until any packet arrives, because bytes of another baud rate may spoil
     /// the first one. What arrives is discarded.
     #[allow(dead_code)] // without the features of command sets
-    pub(crate) fn is_heard<C: Command>(
+    pub(crate) fn is_heard(
         &mut self,
-        ping: &C,
+        ping: &Bytes<'_>,
         wait_ms: u32,
     ) -> Result<bool, DeviceError<P::Error>> {
         let came = |core: &Core<N, Q>| core.client.pending() == 0 || core.data.len() > 0;
@@ -634,7 +634,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         for _ in 0..2 {
             self.core.client.clear();
             let end = after(self.port.now_ms(), wait_ms);
-            let (_, packet) = self.core.client.send(ping, end)?;
+            let (_, packet) = self.core.client.send_any(ping, end)?;
             self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
             let came = self.read_until(end, came).map_err(DeviceError::Port)?;
             heard = came || self.core.look_behind();

@@ -215,12 +215,6 @@ impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
     pub fn into_command(self) -> C {
         self.0
     }
-
-    /// Borrows the command; its function must remain.
-    #[allow(dead_code)] // without the features of command sets
-    pub(crate) fn command_mut(&mut self) -> &mut C {
-        &mut self.0
-    }
 }
 
 impl<C, const FUNCTION: u8> Deref for Call<C, FUNCTION> {

@@ -8,7 +8,7 @@ use embedded_io_async::{Error, ErrorKind, Read, Write};
 
 use super::{is_over, Client, Command, CommandError, Commands, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
-use crate::client::{response, Event, Request, Ticket};
+use crate::client::{response, AnyCommand, Bytes, Event, Request, Ticket};
 use crate::field::RawField;
 use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, Parser};
@@ -135,7 +135,7 @@ where
 
     /// Sends a command, and returns the undecoded response; again, up to this number of times, if
     /// noise may be why there is none. What it awaits does not depend on the command's type.
-    pub(crate) async fn exchange<C: Command>(
+    pub(crate) async fn exchange<C: AnyCommand>(
         &mut self,
         command: &C,
         mut attempts: u8,
@@ -280,9 +280,9 @@ where
 
     /// Sends up to two pings until any packet arrives; see [`Device`](super::Device).
     #[allow(dead_code)] // without the features of command sets
-    pub(crate) async fn is_heard<C: Command>(
+    pub(crate) async fn is_heard(
         &mut self,
-        ping: &C,
+        ping: &Bytes<'_>,
         wait_ms: u32,
     ) -> Result<bool, DeviceError<P::Error>> {
         let mut heard = false;
@@ -290,7 +290,7 @@ where
         self.discard();
         for _ in 0..2 {
             self.core.client.clear();
-            let (_, packet) = self.core.client.send(ping, 0)?;
+            let (_, packet) = self.core.client.send_any(ping, 0)?;
             write(&mut self.port, packet.bytes()).await?;
             let came = |core: &Core<N, Q>| core.client.pending() == 0 || core.data.len() > 0;
             self.read_until(wait_ms, came).await?;

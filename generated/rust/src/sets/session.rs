@@ -5,14 +5,19 @@
 
 use core::fmt;
 
-use crate::client::response;
+use crate::client::{kind, response, Bytes};
+use crate::codec::Writer;
 use crate::device::{Device, DeviceError, Port};
 #[cfg(feature = "devices")]
 use crate::devices::{model_number, Known, Profile, Rejected};
 use crate::error::EncodeError;
+use crate::field::{check, RawField};
+use crate::packet::MAX_FIELD_DATA;
 #[allow(unused_imports)]
 use crate::types;
-use crate::{Command, CommandError, DescriptorSet, Field, List, Reason};
+#[cfg(feature = "devices")]
+use crate::List;
+use crate::{Command, CommandError, DescriptorSet, Field, Reason};
 
 /// The baud rates of all known devices: the usual one first, the others in descending order.
 #[rustfmt::skip]
@@ -139,29 +144,31 @@ impl Rate {
     /// the compiler would take 2 kB.
     fn decimation(&self, base: u16) -> u16 {
         let wanted = self.hz.to_bits(); // they have the order of positive floats
-        if self.hz.is_sign_negative() || wanted <= quotient(base, u16::MAX).to_bits() {
+        if self.hz.is_sign_negative() {
             return u16::MAX;
         }
-        if wanted >= quotient(base, 1).to_bits() {
-            return 1;
-        }
-        // `hz` times 2 to the power of `scale`, and the base rate times the same.
-        let scale = 150_u32.wrapping_sub(wanted >> 23);
-        let wanted = u64::from(wanted & 0x7F_FFFF | 0x80_0000);
-        let base = u64::from(base).wrapping_shl(scale);
         // The greatest decimation whose rate is at least `hz`, bit by bit.
         let (mut below, mut bit) = (0, 1 << 15);
         while bit > 0 {
-            if wanted.wrapping_mul(below | bit) <= base {
+            if quotient(base, below | bit).to_bits() >= wanted {
                 below |= bit;
             }
             bit >>= 1;
         }
-        // Is `hz` at least the mean of its rate and the next one?
+        if below == 0 || below == u16::MAX {
+            return below.max(1);
+        }
+        // Is `hz` at least the mean of its rate and the next one, which is at least half of it?
         let above = below.wrapping_add(1);
-        let product = wanted.wrapping_mul(below).wrapping_mul(above);
-        let sum = base.wrapping_mul(below.wrapping_add(above));
-        (if product.wrapping_mul(2) >= sum { below } else { above }) as u16
+        let [low, high] = [above, below].map(|x| quotient(base, x).to_bits());
+        let places = |x: u32| (x >> 23).wrapping_sub(low >> 23);
+        let digits = |x: u32| (x & 0x7F_FFFF | 0x80_0000).wrapping_shl(places(x));
+        let sum = digits(low).wrapping_add(digits(high));
+        if digits(wanted).wrapping_mul(2) >= sum {
+            below
+        } else {
+            above
+        }
     }
 }
 
@@ -182,6 +189,11 @@ fn quotient(base: u16, decimation: u16) -> f32 {
         exponent = exponent.wrapping_sub(1);
     }
     f32::from_bits((exponent << 23).wrapping_add(digits.wrapping_add(1) >> 1))
+}
+
+/// Compares rates: to compare floats, a microcontroller may need a function of the compiler.
+fn same(a: f32, b: f32) -> bool {
+    a.to_bits() == b.to_bits()
 }
 
 /// The reason why a stream was not started.
@@ -276,9 +288,39 @@ impl ChangesBaud for crate::protocol::WriteCall<crate::mip_3dm::UartBaudRate> {
     }
 }
 
-/// The error of a command that no device answers.
-fn silent<C: Command, E>(_: &C) -> DeviceError<E> {
-    CommandError::of::<C>(Reason::TimedOut).into()
+/// A ping.
+const fn ping() -> Bytes<'static> {
+    Bytes::of(kind::<crate::base::Ping>(), &[])
+}
+
+/// The error if no device answers a ping.
+fn nobody_answers<E>() -> DeviceError<E> {
+    CommandError::of::<crate::base::Ping>(Reason::TimedOut).into()
+}
+
+/// Returns the number of a set's stream, and the command that writes its message format.
+fn format<'m>(
+    set: DescriptorSet,
+    older: bool,
+    rates: &[Rate],
+    base: u16,
+    memory: &'m mut [u8; MAX_FIELD_DATA],
+) -> Result<(u8, Bytes<'m>), EncodeError> {
+    let count = rates.len() as u8; // more do not fit
+    let mut writer = Writer::of_field(memory);
+    #[rustfmt::skip] // a line for each
+    let (kind, number, mut done) = match set.0 {
+        0x80 if older => (kind::<crate::mip_3dm::ImuMessageFormat>(), 1, writer.put(&[1, count])),
+        0x81 if older => (kind::<crate::mip_3dm::GnssMessageFormat>(), 2, writer.put(&[1, count])),
+        0x82 if older => (kind::<crate::mip_3dm::FilterMessageFormat>(), 3, writer.put(&[1, count])),
+        _ => (kind::<crate::mip_3dm::MessageFormat>(), set.0, writer.put(&[1, set.0, count])),
+    };
+    for rate in rates {
+        let item = types::DescriptorRate::new(rate.descriptor, rate.decimation(base));
+        done = done.and_then(|()| writer.write(&item));
+    }
+    let size = writer.finish(done, kind.name())?;
+    Ok((number, Bytes::of(kind, memory.get(..size).unwrap_or_default())))
 }
 
 fn reason<T, E>(result: &Result<T, DeviceError<E>>) -> Option<Reason> {
@@ -324,21 +366,20 @@ $($of)* {
         &mut self,
         rates: &[u32],
     ) -> Result<Option<u32>, DeviceError<P::Error>> {
-        let ping = crate::base::Ping::new();
         let (mut found, mut tried) = (None, false);
         for rate in rates {
             if self.set_baud(*rate)? {
                 tried = true;
-                if self.is_heard(&ping, LISTEN)$($await)*? {
+                if self.is_heard(&ping(), LISTEN)$($await)*? {
                     found = Some(*rate);
                     break;
                 }
             }
         }
         if tried && found.is_none() {
-            return Err(silent(&ping));
+            return Err(nobody_answers());
         }
-        self.repeat(&crate::base::SetIdle::new())$($await)*?;
+        self.tell::<crate::base::SetIdle>(&[])$($await)*?;
         self.discard();
         Ok(found)
     }
@@ -357,7 +398,6 @@ $($of)* {
     /// [`StreamError::NoSuchRate`], before any setting is changed; [`StreamError::Rejected`] if the
     /// device rejects one of the fields, with the feature `open`; [`StreamError::Device`] if a field
     /// does not occur in the set, there are too many, or a command fails.
-    #[allow(clippy::float_cmp)] // a rate that is nearly the same is another one
     pub $($async)* fn stream(
         &mut self,
         set: DescriptorSet,
@@ -370,18 +410,29 @@ $($of)* {
                 return Err(DeviceError::Request(error.into()).into());
             }
         }
-        let read = crate::mip_3dm::GetBaseRate::new(set);
-        let current = self.repeat(&read)$($await)*.map(|x| x.rate);
+        let read = [set.0];
+        let current = self.ask::<crate::mip_3dm::GetBaseRate>(&read)$($await)*
+            .map(|x| x.rate);
         let older = is_refused(&current);
         let older_rate = match set.0 {
             _ if !older => None,
-            0x80 => Some(self.repeat(&crate::mip_3dm::GetImuBaseRate::new())$($await)*.map(|x| x.rate)),
-            0x81 => Some(self.repeat(&crate::mip_3dm::GetGnssBaseRate::new())$($await)*.map(|x| x.rate)),
-            0x82 => Some(self.repeat(&crate::mip_3dm::GetFilterBaseRate::new())$($await)*.map(|x| x.rate)),
+            0x80 => {
+                let reply = self.ask::<crate::mip_3dm::GetImuBaseRate>(&[]);
+                Some(reply$($await)*.map(|x| x.rate))
+            }
+            0x81 => {
+                let reply = self.ask::<crate::mip_3dm::GetGnssBaseRate>(&[]);
+                Some(reply$($await)*.map(|x| x.rate))
+            }
+            0x82 => {
+                let reply = self.ask::<crate::mip_3dm::GetFilterBaseRate>(&[]);
+                Some(reply$($await)*.map(|x| x.rate))
+            }
             _ => None,
         };
         // A device that rejects this command as well does not have the set.
         let current = older_rate.filter(|rate| !is_refused(rate)).unwrap_or(current);
+        let read = Bytes::of(kind::<crate::mip_3dm::GetBaseRate>(), &read);
         let base = self.explained(current, &read)$($await)*?;
         for rate in rates {
             let Rate { descriptor, hz: wanted, name, .. } = *rate;
@@ -389,45 +440,19 @@ $($of)* {
             let nearest = quotient(base, decimation);
             let exists = match base {
                 0 => decimation == 1,
-                _ => wanted == nearest || wanted == f32::INFINITY,
+                _ => same(wanted, nearest) || same(wanted, f32::INFINITY),
             };
             if !exists {
                 return Err(StreamError::NoSuchRate { descriptor, name, wanted, nearest, base });
             }
         }
-        let fields = rates.iter();
-        let fields = fields.map(|x| types::DescriptorRate::new(x.descriptor, x.decimation(base)));
-        match set.0 {
-            0x80 if older => {
-                let mut format = crate::mip_3dm::ImuMessageFormat::write(List::new()); // filled in place: it is large
-                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
-                let done = self.repeat(&format)$($await)*;
-                self.explained(done, &format)$($await)*?;
-                self.repeat(&crate::mip_3dm::DataStreamControl::write(1, true))$($await)*?;
-            }
-            0x81 if older => {
-                let mut format = crate::mip_3dm::GnssMessageFormat::write(List::new()); // filled in place: it is large
-                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
-                let done = self.repeat(&format)$($await)*;
-                self.explained(done, &format)$($await)*?;
-                self.repeat(&crate::mip_3dm::DataStreamControl::write(2, true))$($await)*?;
-            }
-            0x82 if older => {
-                let mut format = crate::mip_3dm::FilterMessageFormat::write(List::new()); // filled in place: it is large
-                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
-                let done = self.repeat(&format)$($await)*;
-                self.explained(done, &format)$($await)*?;
-                self.repeat(&crate::mip_3dm::DataStreamControl::write(3, true))$($await)*?;
-            }
-            _ => {
-                let mut format = crate::mip_3dm::MessageFormat::write(set, List::new()); // filled in place: it is large
-                format.command_mut().descriptors.get_or_insert_with(List::new).extend(fields);
-                let done = self.repeat(&format)$($await)*;
-                self.explained(done, &format)$($await)*?;
-                self.repeat(&crate::mip_3dm::DataStreamControl::write(set, true))$($await)*?;
-            }
-        }
-        self.repeat(&crate::base::Resume::new())$($await)*?;
+        let mut memory = [0; MAX_FIELD_DATA];
+        let encoded = format(set, older, rates, base, &mut memory);
+        let (number, command) = encoded.map_err(|e| DeviceError::Request(e.into()))?;
+        let done = self.exchange(&command, ATTEMPTS)$($await)*.map(|_| ());
+        self.explained(done, &command)$($await)*?;
+        self.tell::<crate::mip_3dm::DataStreamControl>(&[1, number, 1])$($await)*?;
+        self.tell::<crate::base::Resume>(&[])$($await)*?;
         Ok(base)
     }
 
@@ -455,13 +480,12 @@ $($of)* {
             result => drop(result?),
         }
         self.pass(CHANGE)$($await)*?;
-        let ping = crate::base::Ping::new();
         for rate in [new, old] {
-            if self.set_baud(rate)? && self.is_heard(&ping, LISTEN)$($await)*? {
+            if self.set_baud(rate)? && self.is_heard(&ping(), LISTEN)$($await)*? {
                 return Ok(rate);
             }
         }
-        Err(silent(&ping))
+        Err(nobody_answers())
     }
 
     /// Asks the device what it is, and returns its profile; `None` if it is newer than this crate.
@@ -473,7 +497,7 @@ $($of)* {
     pub $($async)* fn profile(
         &mut self,
     ) -> Result<Option<&'static Profile>, DeviceError<P::Error>> {
-        let reply = self.repeat(&crate::base::GetDeviceInfo::new())$($await)*?;
+        let reply = self.ask::<crate::base::GetDeviceInfo>(&[])$($await)*?;
         let texts = [reply.device_info.model_number.as_str(), reply.device_info.serial_number.as_str()];
         let mut numbers = texts.iter().flatten().filter_map(|text| model_number(text));
         Ok(numbers.find_map(Profile::by_model))
@@ -491,35 +515,47 @@ $($of)* {
         &mut self,
         command: &C,
     ) -> Result<Option<Rejected>, DeviceError<P::Error>> {
+        let mut memory = [0; MAX_FIELD_DATA];
+        let Ok(size) = command.encode(&mut memory) else { return Ok(None) };
+        let data = memory.get(..size).unwrap_or_default();
+        self.rejects(&RawField { set: C::SET, descriptor: C::DESCRIPTOR, data })$($await)*
+    }
+
+    /// Like `rejected`, for commands of all types.
+    #[cfg(feature = "devices")]
+    $($async)* fn rejects(
+        &mut self,
+        command: &RawField<'_>,
+    ) -> Result<Option<Rejected>, DeviceError<P::Error>> {
         let profile = answered(self.profile()$($await)*)?.flatten();
         let mut descriptors = List::<u16, 256>::new();
         {
-            match answered(self.repeat(&crate::base::GetDeviceDescriptors::new())$($await)*)? {
+            match answered(self.ask::<crate::base::GetDeviceDescriptors>(&[])$($await)*)? {
                 Some(reply) => descriptors.extend(reply.descriptors.iter().copied()),
                 None => descriptors.clear(), // the others alone show nothing
             }
         }
         if descriptors.contains(&0x0107) {
-            match answered(self.repeat(&crate::base::GetExtendedDescriptors::new())$($await)*)? {
+            match answered(self.ask::<crate::base::GetExtendedDescriptors>(&[])$($await)*)? {
                 Some(reply) => descriptors.extend(reply.descriptors.iter().copied()),
                 None => descriptors.clear(), // the others alone show nothing
             }
         }
-        Ok(Rejected::of(command, &Known { profile, descriptors: &descriptors }))
+        Ok(Rejected::find(command, &Known { profile, descriptors: &descriptors }))
     }
 
     /// Adds the rejected field to an error, in programs for computers.
     #[cfg_attr(not(feature = "open"), allow(unused_variables, clippy::unused_self))]
     #[cfg_attr(not(feature = "open"), allow(clippy::unused_async))]
-    $($async)* fn explained<C: Command, T>(
+    $($async)* fn explained<T>(
         &mut self,
         result: Result<T, DeviceError<P::Error>>,
-        command: &C,
+        command: &Bytes<'_>,
     ) -> Result<T, StreamError<P::Error>> {
         #[cfg(feature = "open")]
         if is_refused(&result) {
             if let (Ok(Some(field)), Err(DeviceError::Command(error))) =
-                (self.rejected(command)$($await)*, &result)
+                (self.rejects(&command.field())$($await)*, &result)
             {
                 return Err(StreamError::Rejected { error: *error, field });
             }
@@ -527,12 +563,20 @@ $($of)* {
         Ok(result?)
     }
 
-    /// Sends a command again if its error may have been caused by noise.
-    $($async)* fn repeat<C: Command>(
-        &mut self,
-        command: &C,
-    ) -> Result<C::Response, DeviceError<P::Error>> {
-        Ok(response::<C>(self.exchange(command, ATTEMPTS)$($await)*?)?)
+    /// Sends a command without a response; again if its error may have been caused by noise.
+    $($async)* fn tell<C: Command>(&mut self, data: &[u8]) -> Result<(), DeviceError<P::Error>> {
+        let command = Bytes::of(kind::<C>(), data);
+        self.exchange(&command, ATTEMPTS)$($await)*.map(|_| ())
+    }
+
+    /// Sends a command with a response; again if its error may have been caused by noise.
+    $($async)* fn ask<C>(&mut self, data: &[u8]) -> Result<C::Response, DeviceError<P::Error>>
+    where
+        C: Command,
+        C::Response: Field,
+    {
+        let command = Bytes { check: Some(check::<C::Response>), ..Bytes::of(kind::<C>(), data) };
+        Ok(response::<C>(self.exchange(&command, ATTEMPTS)$($await)*?)?)
     }
 }
     };

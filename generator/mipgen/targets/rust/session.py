@@ -1,4 +1,7 @@
-"""The commands that find a device and start its data, as Rust expressions."""
+"""The commands that find a device and start its data, as Rust expressions.
+
+They are written as bytes, because a firmware with a function that encodes each type would be a tenth larger.
+"""
 
 from __future__ import annotations
 
@@ -7,35 +10,44 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 from mipgen.lower import session as lower
+from mipgen.lower.extent import item_size
 
 from . import names
 from .view import Crate
 
 
 @dataclass(frozen=True, slots=True)
+class Sent:
+    """A command, and the bytes of its data as expressions."""
+
+    path: str
+    data: str
+
+
+@dataclass(frozen=True, slots=True)
 class Start:
     """How the data of a set is started."""
 
-    base_rate: str
+    base_rate: Sent
     rate: str  # the member of its response
-    format: str  # with an empty list
-    items: str  # that list, in a variable `format`
-    stream: str
+    format: Sent  # up to the list
+    number: str  # of the stream
 
 
 @dataclass(frozen=True, slots=True)
 class Session:
     families: tuple[str, ...]  # features
     bauds: tuple[int, ...]
-    ping: str
-    idle: str
-    resume: str
-    identify: str
+    ping: Sent
+    idle: Sent
+    resume: Sent
+    identify: Sent
     model_numbers: tuple[str, ...]  # members of its response
-    descriptors: tuple[tuple[str, str], ...]  # the commands that list what a device has, and their numbers in a list
+    descriptors: tuple[tuple[Sent, str], ...]  # the commands that list what a device has, and their numbers in a list
     item: str  # of a message format
     start: Start
     older: tuple[tuple[int, Start], ...]  # by set
+    stream: Sent
     baud_changes: tuple[tuple[str, str], ...]  # commands that write a baud rate, and the rate
 
     @property
@@ -51,20 +63,12 @@ def compose(model: m.Model) -> Session | None:
         return None
     crate = model.derived(Crate)
 
-    def call(f: m.Field, *arguments: str) -> str:
-        """Calls the constructor for the first function of a command."""
-        return f"{names.path(f, '')}::{crate.record(f).constructors[0].name}({', '.join(arguments)})"
-
-    def start(base_rate: lower.Rate, message_format: m.Field, stream: str, *arguments: str) -> Start:
-        items = names.member(next(p for p in message_format.calls[0].required if p.kind == "array").name)
-        if message_format.selector:  # the other functions have none
-            items = f"command_mut().{items}.get_or_insert_with(List::new)"
+    def start(base_rate: lower.Rate, message_format: m.Field, number: str, *arguments: str) -> Start:
         return Start(
-            call(base_rate.command, *arguments),
+            _sent(base_rate.command, *arguments),
             names.member(base_rate.parameter.name),
-            call(message_format, *arguments, "List::new()"),
-            f"format.{items}",
-            call(commands.stream, stream, "true"),
+            _sent(message_format, *arguments),
+            number,
         )
 
     item = commands.entries.item.struct
@@ -75,17 +79,29 @@ def compose(model: m.Model) -> Session | None:
     return Session(
         families=tuple(sorted(map(names.module, families))),
         bauds=commands.bauds,
-        ping=call(commands.ping),
-        idle=call(commands.idle),
-        resume=call(commands.resume),
-        identify=call(commands.identify),
+        ping=_sent(commands.ping),
+        idle=_sent(commands.idle),
+        resume=_sent(commands.resume),
+        identify=_sent(commands.identify),
         model_numbers=tuple(".".join(map(names.member, x.split("."))) for x in commands.model_numbers),
-        descriptors=tuple((call(f), f"0x{f.set:02X}{f.descriptor:02X}") for f in commands.descriptors),
+        descriptors=tuple((_sent(f), f"0x{f.set:02X}{f.descriptor:02X}") for f in commands.descriptors),
         item=names.path(item, ""),
-        start=start(commands.base_rate, commands.format, "set", "set"),
+        start=start(commands.base_rate, commands.format, "set.0", "set.0"),
         older=tuple((x.set, start(x.base_rate, x.format, str(x.stream))) for x in commands.older),
+        stream=_sent(commands.stream, "number", "1"),
         baud_changes=tuple(_baud_changes(crate, families)),
     )
+
+
+def _sent(f: m.Field, *values: str) -> Sent:
+    """The command with its first function and these values, which have one byte each. An array follows the data."""
+    call, rest = f.calls[0], iter(values)
+    data = [str(call.function.value)] if call.function else []
+    for p in call.required:
+        if p.kind != "array":
+            assert item_size(p) == 1, f"{f.full_name}: {p.name} has several bytes"
+            data.append("count" if p.counts else next(rest))
+    return Sent(names.path(f, ""), ", ".join(data))
 
 
 def _baud_changes(crate: Crate, families: set[str]) -> Iterator[tuple[str, str]]:
