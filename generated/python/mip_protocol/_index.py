@@ -473,6 +473,48 @@ DEVICES: dict[str, tuple[str, ...]] = {
     "demod-dc": ("DEMOD-DC", "Digital Demod", ),
 }
 
+#: Model number -> the id of the device.
+MODELS: dict[int, str] = {
+    6259: "3dm-cv5-10",
+    6258: "3dm-cv5-15",
+    6257: "3dm-cv5-25",
+    6286: "3dm-cv7-ahrs",
+    6287: "3dm-cv7-ar",
+    6292: "3dm-cv7-gnss-ins",
+    6291: "3dm-cv7-ins",
+    6275: "3dm-cx5-10",
+    6274: "3dm-cx5-15",
+    6273: "3dm-cx5-25",
+    6271: "3dm-cx5-45",
+    6701: "3dm-cx7-ahrs",
+    6700: "3dm-cx7-ar",
+    6702: "3dm-cx7-ins",
+    6219: "3dm-dh3",
+    6250: "3dm-gq4-45",
+    6284: "3dm-gq7",
+    6288: "3dm-gv7-ahrs",
+    6289: "3dm-gv7-ar",
+    6290: "3dm-gv7-ins",
+    6227: "3dm-gx3-15",
+    6223: "3dm-gx3-25",
+    6225: "3dm-gx3-35",
+    6228: "3dm-gx3-45",
+    6233: "3dm-gx4-15",
+    6234: "3dm-gx4-25",
+    6236: "3dm-gx4-45",
+    6237: "3dm-gx4-imu",
+    6254: "3dm-gx5-15",
+    6253: "3dm-gx5-25",
+    6252: "3dm-gx5-35",
+    6251: "3dm-gx5-45",
+    6243: "3dm-mv5-ar",
+    6232: "3dm-rq1-45-lt",
+    6239: "3dm-rq1-45-st",
+    6238: "3dm-rq1-imu",
+    6285: "3dm-rtk",
+    6130: "demod-dc",
+}
+
 #: Ids of devices of which only the names are known -> the device most like it, title, other names.
 NAMED: dict[str, tuple[str, ...]] = {
     "3dm-cl5-10": ("3dm-cx5-10", "3DM-CL5-10", "3DM-CL5-IMU", ),

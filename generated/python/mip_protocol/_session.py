@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
-from .streaming import Older, Session
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .streaming import Session
+
+#: Set and descriptor of the command with which a device identifies itself.
+IDENTIFY = (0x01, 0x03)
+
+
+def information(answer: Any) -> Any:
+    """Returns the part of its response that contains the model number."""
+    return answer.device_info
 
 
 def session() -> Session | None:
     """Imports the modules of these commands and returns the commands; None if the specification names none."""
     from . import base, mip_3dm, types
+    from .streaming import Older, Session
 
     return Session(
         base_rate=mip_3dm.GetBaseRate,
@@ -17,7 +29,6 @@ def session() -> Session | None:
         stream=mip_3dm.DataStreamControl.write,
         resume=base.Resume,
         identify=base.GetDeviceInfo,
-        information=lambda answer: answer.device_info,
         descriptors=(base.GetDeviceDescriptors, base.GetExtendedDescriptors),
         older={
             0x80: Older(

@@ -51,8 +51,8 @@ from .device import (
     deadline_of,
     lost,
 )
-from .errors import Cause, NoAnswer, Refused
-from .exceptions import PortClosed
+from .errors import Cause
+from .exceptions import MipError, PortClosed
 from .field import Command, Field, R, Response
 from .port import (
     AT_ONCE,
@@ -324,7 +324,7 @@ class Device(AtPort):
         timestamp: str | None = "auto",
     ) -> dict[type[Field], float]:
         """Like `device.Device.stream`."""
-        dialog = steps(session(), rates, set, timestamp)
+        dialog = steps(session(), rates, set, timestamp, self._talk.identified)
         return await self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates
@@ -335,7 +335,7 @@ class Device(AtPort):
     # needs: session or baud rates
     async def _follow(self, dialog: Dialog[T]) -> T:
         answer: Any = None
-        failed: NoAnswer | Refused | None = None
+        failed: MipError | None = None
         while True:
             try:
                 step = dialog.throw(failed) if failed else dialog.send(answer)
@@ -347,7 +347,7 @@ class Device(AtPort):
                     await asyncio.sleep(step.seconds or 0)
                 else:
                     (answer,) = responses(await self._exchange((step.command,), step.seconds))
-            except (NoAnswer, Refused) as error:
+            except MipError as error:
                 failed = error
 
     # ----------------------------------------------------------------- data

@@ -35,8 +35,8 @@ from .conversation import (
     Ticket,
     responses,
 )
-from .errors import Cause, NoAnswer, Refused
-from .exceptions import PortClosed
+from .errors import Cause
+from .exceptions import MipError, PortClosed
 from .field import Command, Field, R, Response
 from .port import USUAL, Reader, as_port, open_url, warn_unclosed, weakly
 from .rejected import ConnectedDevice, ask_and_find_cause, received, with_cause
@@ -328,7 +328,7 @@ class Device(AtPort):
         number; ValueError and EncodeError if the fields have no set in common; and whatever
         `request` raises.
         """
-        dialog = steps(session(), rates, set, timestamp)
+        dialog = steps(session(), rates, set, timestamp, self._talk.identified)
         return self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates
@@ -347,7 +347,7 @@ class Device(AtPort):
     # needs: session or baud rates
     def _follow(self, dialog: Dialog[T]) -> T:
         answer: Any = None
-        failed: NoAnswer | Refused | None = None
+        failed: MipError | None = None
         while True:
             try:
                 step = dialog.throw(failed) if failed else dialog.send(answer)
@@ -359,7 +359,7 @@ class Device(AtPort):
                     time.sleep(step.seconds or 0)
                 else:
                     (answer,) = responses(self._exchange((step.command,), step.seconds))
-            except (NoAnswer, Refused) as error:
+            except MipError as error:
                 failed = error
 
     # ----------------------------------------------------------------- data

@@ -16,6 +16,7 @@ from math import nan
 from typing import Any, NamedTuple, TypeAlias, TypeVar, cast
 
 from ._clocks import CLOCKS
+from ._session import IDENTIFY, information
 from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut, check_seconds
 from .errors import NoAnswer, Refused
 from .exceptions import PortClosed
@@ -59,6 +60,8 @@ class Arrival:
     """The same time by `time.monotonic()`, a clock that is never set."""
     taken: frozenset[int] = frozenset()
     """The indices of the fields that answered a command."""
+    model: str | None = None
+    """The id of the device's model, if `Device.model` was known when it arrived."""
 
     @property
     def fields(self) -> tuple[RawField, ...]:
@@ -85,14 +88,15 @@ class Arrival:
 
         if clock not in CLOCKS:
             raise ValueError(f"{clock!r} is not a clock; use one of {', '.join(CLOCKS)}")
-        return moments(self.packet).get(clock)
+        return moments(self.packet, self.model).get(clock)
 
     def stamp(self, device: str | None = None) -> Stamp:
         """Returns the time of its fields, by the first clock of which the packet contains a valid
-        time: one with a date, if there is one. `device` is the device's id, if it is known."""
+        time: one with a date, if there is one. `device` is the device's id, if it is not `model`.
+        """
         from .timestamps import moments
 
-        times = moments(self.packet, device)
+        times = moments(self.packet, device or self.model)
         clock = next((clock for clock in CLOCKS if times.get(clock) is not None), "")
         time = times.get(clock)
         return Stamp(nan if time is None else time / 1e9, clock, self.time)
@@ -142,6 +146,9 @@ class Conversation:
             raise ValueError(f"timeout {timeout}: must be above 0: a device needs time to reply")
         self.arrivals: deque[Arrival] = deque()
         self.dropped = 0
+        self.model: str | None = None  # the device's id
+        self.identified = False  # by its answer from this port, or by the program
+        self._named = False  # by the program
         self._capacity = capacity
         self._on_skipped = on_skipped
         self._tickets: list[Ticket] = []
@@ -153,12 +160,20 @@ class Conversation:
     def restart(self) -> None:
         """Prepares for a port that has been opened again. Data that waits to be read is kept."""
         self._settings.clear()
+        self.identified = self._named
         self._handle(self._client.interrupt(), time.monotonic(), time.time())
         self._incomplete = False
 
     @property
     def skipped(self) -> int:
         return self._client.skipped
+
+    def name(self, model: str | None) -> None:
+        """Names the device's model, whatever the device answers; None if it shall say that itself."""
+        from .lookup import device_id
+
+        self.model = None if model is None else device_id(model)
+        self._named = self.identified = model is not None
 
     # ----------------------------------------------------------------- commands
 
@@ -216,6 +231,12 @@ class Conversation:
         if not answer.accepted or command.SILENCED_BY:
             return
         key = (command.SET, command.DESCRIPTOR)
+        # needs: session
+        if key == IDENTIFY and answer.response is not None and not self._named:
+            from .lookup import model_id
+
+            self.model = model_id(information(answer.response))
+            self.identified = True
         function = getattr(command, "function", None)
         if answer.response is not None and function == FunctionSelector.READ:
             self._settings[key] = answer.response
@@ -264,7 +285,9 @@ class Conversation:
                 if len(self.arrivals) >= self._capacity:
                     self.arrivals.popleft()
                     self.dropped += 1
-                self.arrivals.append(Arrival(event.packet, clock, monotonic, event.taken))
+                self.arrivals.append(
+                    Arrival(event.packet, clock, monotonic, event.taken, self.model)
+                )
                 arrivals = True
             elif isinstance(event, Skipped):
                 skipped.append(event.data)
@@ -318,6 +341,18 @@ class AtPort:
     def waiting(self) -> int:
         """The number of packets that can be read without waiting."""
         return len(self._talk.arrivals)
+
+    @property
+    def model(self) -> str | None:
+        """The id of the device's model, such as "3dm-gx5-25", as which the flags of times are read;
+        None if it is not known. It is known from the device's answer to the command that identifies
+        it, which `stream` sends, or if you set it: by any name of the model. Setting it raises
+        UnknownName."""
+        return self._talk.model
+
+    @model.setter
+    def model(self, name: str | None) -> None:
+        self._talk.name(name)
 
     @property
     def baud(self) -> int | None:

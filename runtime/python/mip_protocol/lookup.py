@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import Any
 
-from ._index import DEVICES, FAMILIES, FIELDS, NAMED
+from ._index import DEVICES, FAMILIES, FIELDS, MODELS, NAMED
 from ._sets import SETS
 from .exceptions import UnknownName
 
@@ -138,6 +138,13 @@ def only_named(name: str) -> UnknownName | None:
             )
             return UnknownName("unknown_name", text, (like,))
     return None
+
+
+def model_id(info: Any) -> str | None:
+    """Returns the id of the device that sent this device information; None if it is unknown."""
+    from .profile import model_number
+
+    return MODELS.get(model_number(info.model_number) or model_number(info.serial_number) or 0)
 
 
 @cache

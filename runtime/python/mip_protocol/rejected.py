@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ._lists import LISTS
-from ._session import session
+from ._session import information, session
 from ._sets import SETS
 from .conversation import Dialog, Step, T, Ticket, responses
 from .errors import Cause, Refused
@@ -137,8 +137,8 @@ def ask_and_find_cause(command: Command, target: ConnectedDevice) -> Dialog[Caus
 
         target.asked = True
         try:
-            information = start.information((yield Step(start.identify())))
-            target.profile = target.profile or identify(information)
+            about = information((yield Step(start.identify())))
+            target.profile = target.profile or identify(about)
             fields: set[tuple[int, int]] = set()
             for kind in (make() for make in start.descriptors):
                 if not fields or (kind.SET, kind.DESCRIPTOR) in fields:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from ._clocks import CLOCKS
 from .conversation import Dialog, Step
 from .errors import NoSuchRate, Refused
-from .exceptions import EncodeError
+from .exceptions import EncodeError, MipError
 from .field import Command, Field
 
 #: Creates a message format's item from a descriptor and a decimation.
@@ -36,7 +36,6 @@ class Session(NamedTuple):
     stream: Callable[[int, bool], Command[Any]]
     resume: Callable[[], Command[Any]]
     identify: Callable[[], Command[Any]]
-    information: Callable[[Any], Any]  # the part of its response that contains the model number
     descriptors: Sequence[Callable[[], Command[Any]]]  # list what the device has
     older: Mapping[int, Older] = {}
 
@@ -46,12 +45,18 @@ def steps(
     rates: Mapping[type[Field], float],
     set: int | None,
     timestamp: str | None,
+    identified: bool = False,
 ) -> Dialog[dict[type[Field], float]]:
     """Yields the commands that start data at these rates, with the first timestamp that the device
-    accepts; returns the rates of the device."""
+    accepts; returns the rates of the device. First asks which model it is, unless it is known."""
     if session is None:
         raise NotImplementedError("this package's specification has no commands for streaming")
     number = set_of(rates, set)
+    if not identified:
+        try:
+            yield Step(session.identify())  # the conversation learns from the answer
+        except MipError:  # flags are then read as those of no known device
+            pass
     older = None
     try:
         base = session.rate((yield Step(session.base_rate(number))))

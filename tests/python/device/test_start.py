@@ -7,11 +7,13 @@ import math
 from itertools import islice, pairwise
 
 import pytest
+from both import Kind, Peer, acknowledge, packet
 from mip_protocol import (
     EncodeError,
     NoSuchRate,
     Refused,
     aio,
+    base,
     filter_data,
     gnss_data,
     mip_3dm,
@@ -19,8 +21,10 @@ from mip_protocol import (
     sensor,
     shared,
 )
+from mip_protocol.devices import DEVICES
 from mip_protocol.streaming import decimation, set_of, steps
-from support import PATIENCE, simulated
+from support import PATIENCE, simulated, some
+from timed_packets import Case, cases_of_devices
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 
@@ -95,6 +99,62 @@ def test_the_time_of_fields(model: str, clocks: tuple[str, str]) -> None:
         assert device.request(stored).descriptors == ()
 
 
+@pytest.mark.parametrize("name", ["threads", "asyncio"])
+def test_times_are_read_as_those_of_the_model(name: str) -> None:
+    """Each model, after it has said what it is; before, and after the program has named another one."""
+    other = {"3dm-cv7-ahrs": "3dm-gx5-15"}
+    by_model: dict[str, list[Case]] = {}
+    for case in cases_of_devices():
+        by_model.setdefault(case[0] or "", []).append(case)
+    for model_id, cases in by_model.items():
+        wanted = [("", None) if d is None and o is None else ("gps", d) if d else ("device", o) for *_, d, o in cases]
+        peer = Peer()
+        with Kind(name).at(peer.near) as device:
+            assert device.model is None
+            if model_id:
+                title = DEVICES[model_id].title.encode().ljust(16)
+                number = str(DEVICES[model_id].model_number).encode().ljust(16)
+                reply = packet(0x01, "f1 03 00", f"810000{(title + number).hex()}{'20' * 48}")
+                peer.answering(*[reply] * (1 + (model_id in other)))
+                device.request(base.GetDeviceInfo())
+                assert device.model == model_id
+            peer.send(*(data for _, data, *_ in cases))
+            arrivals = [device.next(PATIENCE) for _ in cases]
+            for arrival, (clock, time) in zip(arrivals, wanted, strict=True):
+                stamp = arrival.stamp()
+                assert (stamp.clock, stamp.device) == (
+                    clock,
+                    pytest.approx(time / 1e9) if time else pytest.approx(math.nan, nan_ok=True),
+                )
+                assert clock not in ("gps", "device") or arrival.device_time(clock) == time
+            if model_id in other:
+                (device.device if name == "asyncio" else device).model = "GX5-15"
+                device.request(base.GetDeviceInfo())
+                assert device.model == other[model_id]  # the program's word counts
+                peer.send(cases[4][1])
+                assert device.next(PATIENCE).model == other[model_id]
+        peer.close()
+
+
+@pytest.mark.parametrize("model", [CV7, GX5])
+def test_a_stream_asks_for_the_model(model: str) -> None:
+    with simulated("--tcp", "0", device=model) as place, open_port(place, timeout=PATIENCE) as device:
+        device.stream({sensor.ScaledAccel: 100})
+        device.clear()
+        assert some(device.next(PATIENCE)).model == device.model == model
+
+
+def test_a_device_that_does_not_say_its_model_streams() -> None:
+    peer = Peer()
+    with Kind("threads").at(peer.near) as device:
+        rejected, done = acknowledge(0x01, 0x03, 1), [acknowledge(0x0C, 0x0F), acknowledge(0x0C, 0x11)]
+        rate = packet(0x0C, "f1 0e 00", "8e 80 01f4")
+        peer.answering(rejected, rate, *done, acknowledge(0x01, 0x06))
+        assert device.stream({sensor.ScaledAccel: 100}, timestamp=None) == {sensor.ScaledAccel: 100}
+        assert device.model is None
+    peer.close()
+
+
 def test_the_set() -> None:
     assert set_of({sensor.ScaledAccel: 1, shared.GpsTimestamp: 1}, None) == 0x80
     assert set_of({gnss_data.LlhPosition: 1}, 0x91) == 0x91
@@ -112,14 +172,14 @@ def test_the_set() -> None:
 
 
 def test_decimations_are_the_nearest() -> None:
-    for base in (1, 10, 500, 1000):
+    for rate in (1, 10, 500, 1000):
         for wanted in (0.02, 3, 99.5, 900, 5000):
             best = (
-                min(range(1, 0x10000), key=lambda by: (abs(base / by - wanted), by))
-                if wanted * 70000 > base
+                min(range(1, 0x10000), key=lambda by: (abs(rate / by - wanted), by))
+                if wanted * 70000 > rate
                 else 0xFFFF
             )
-            assert decimation(base, wanted) == best, (base, wanted)
+            assert decimation(rate, wanted) == best, (rate, wanted)
     assert decimation(0, 5) == decimation(1000, 0) == 1
 
 

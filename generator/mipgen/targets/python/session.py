@@ -30,6 +30,7 @@ class Session:
     item: str
     stream: str
     resume: str
+    identity: m.Field
     identify: str
     information: str  # the path from its response to the parameters with the model's number
     descriptors: tuple[str, ...]
@@ -52,6 +53,7 @@ def session_commands(model: m.Model) -> Session | None:
         names.qualified(item),
         _call(start.stream),
         _call(start.resume),
+        start.identify,
         _call(start.identify),
         ".".join(map(names.member, start.model_numbers[0].split(".")[:-1])),
         tuple(map(_call, start.descriptors)),
