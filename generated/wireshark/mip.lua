@@ -729,6 +729,10 @@ F["shared.external_time_delta_flags"] = {
   { name = "dt_nanos", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The difference is valid." },
 }
 
+-- Groups of devices that mark values as valid in the same way.
+local G = {}
+G[1] = { ["3dm-cv5-10"] = true, ["3dm-cv5-15"] = true, ["3dm-cv5-25"] = true, ["3dm-cx5-10"] = true, ["3dm-cx5-15"] = true, ["3dm-cx5-25"] = true, ["3dm-cx5-45"] = true, ["3dm-gx4-15"] = true, ["3dm-gx4-25"] = true, ["3dm-gx4-45"] = true, ["3dm-gx5-15"] = true, ["3dm-gx5-25"] = true, ["3dm-gx5-35"] = true, ["3dm-gx5-45"] = true, }
+
 -- Structures.
 local S = {}
 S["event_trigger_gpio"] = {
@@ -2973,8 +2977,8 @@ field({ descriptor = 0x85, name = "rtk.get_rssi_response", role = "response", ti
     always = 3,
     rows = {
       { kind = "scalar", name = "valid", type = "bool", size = 1, doc = "True if the modem is connected." },
-      { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true." },
-      { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Quality of the modem's radio signal. Valid if valid is true." },
+      { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true.", valid = { { flags = { { name = "valid", mask = 0 }, } }, } },
+      { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Quality of the modem's radio signal. Valid if valid is true.", valid = { { flags = { { name = "valid", mask = 0 }, } }, } },
     } }, { { set = 0x0F, name = "rtk.get_rssi_response", title = "Get RSSI response" }, })
 field({ descriptor = 0x86, name = "rtk.connected_device_type_response", role = "response", title = "Connected device type response",
     doc = "", least = 1,
@@ -3068,8 +3072,8 @@ field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", titl
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title = "LLH position",
@@ -3078,10 +3082,10 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
-      { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.latitude, east: valid_flags.longitude, down: valid_flags.height.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Valid coordinates." },
     } }, { { set = 0x13, name = "aiding.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
@@ -3110,8 +3114,8 @@ field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", titl
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title = "NED velocity",
@@ -3120,8 +3124,8 @@ field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
@@ -3130,8 +3134,8 @@ field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command"
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.body_frame_velocity", title = "Body frame velocity" }, })
 field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title = "True heading",
@@ -3150,8 +3154,8 @@ field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", tit
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
-      { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", valid = { { flags = { { name = "valid_flags", mask = 1 }, { name = "valid_flags", mask = 2 }, { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.magnetic_field", title = "Magnetic field" }, })
 field({ descriptor = 0x33, name = "aiding.pressure", role = "command", title = "Pressure",
@@ -3337,8 +3341,8 @@ field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title =
     doc = "GPS time of the sensor data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set.", valid = { { devices = G[1], fewer = 65528, flags = { { name = "valid_flags", mask = 4 }, } }, { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number_valid is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set.", valid = { { devices = G[1], fewer = 65528, flags = { { name = "valid_flags", mask = 4 }, } }, { flags = { { name = "valid_flags", mask = 16 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-cv5-10", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cv5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cv5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-10", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
     } }, { { set = 0x80, name = "sensor.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data", title = "Temperature statistics",
@@ -3373,131 +3377,131 @@ field({ descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odo
     doc = "Speed measured by the wheel encoder.", least = 10,
     always = 3,
     rows = {
-      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle. Positive: forward. Valid if valid_flags.odometer is set." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.odometer is set." },
+      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle. Positive: forward. Valid if valid_flags.odometer is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.odometer is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor.odometer_flags"], doc = "Validity of the measured values." },
     } }, { { set = 0x80, name = "sensor.odometer", title = "Odometer data" }, })
 field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title = "GNSS LLH position",
     doc = "GNSS position as latitude, longitude and height.", least = 42,
     always = 7,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.lat_lon is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set." },
-      { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set." },
-      { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
-      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
-      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the heights. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.lat_lon is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.lat_lon is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.ellipsoid_height is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the heights. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Validity flags for the position." },
     } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
 field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
     doc = "GNSS position in Earth-fixed coordinates.", least = 30,
     always = 3,
     rows = {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Validity flags for the position." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "GNSS velocity in the local level frame.", least = 34,
     always = 7,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_3d is set." },
-      { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Range: at least 0. Valid if valid_flags.ground_speed is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
-      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ned. At rest and level: north 0, east 0, down 0. Valid if valid_flags.velocity is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed in space. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_3d is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "ground_speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed over ground. Unit: m/s. Range: at least 0. Valid if valid_flags.ground_speed is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Validity flags for the velocity." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
     always = 3,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Validity flags for the velocity." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
     always = 8,
     rows = {
-      { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Range: at least 0. Valid if valid_flags.gdop is set." },
-      { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Range: at least 0. Valid if valid_flags.pdop is set." },
-      { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Range: at least 0. Valid if valid_flags.hdop is set." },
-      { kind = "scalar", name = "vdop", type = "float", size = 4, doc = "Vertical dilution. Unit: 1. Range: at least 0. Valid if valid_flags.vdop is set." },
-      { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set." },
-      { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set." },
-      { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set." },
+      { kind = "scalar", name = "gdop", type = "float", size = 4, doc = "Geometric dilution. Unit: 1. Range: at least 0. Valid if valid_flags.gdop is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "pdop", type = "float", size = 4, doc = "Position dilution. Unit: 1. Range: at least 0. Valid if valid_flags.pdop is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "hdop", type = "float", size = 4, doc = "Horizontal dilution. Unit: 1. Range: at least 0. Valid if valid_flags.hdop is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "vdop", type = "float", size = 4, doc = "Vertical dilution. Unit: 1. Range: at least 0. Valid if valid_flags.vdop is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
+      { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set.", valid = { { flags = { { name = "valid_flags", mask = 64 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Validity flags for the dilutions of precision." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
     doc = "Coordinated universal time (UTC) according to the receiver.", least = 13,
     always = 8,
     rows = {
-      { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year with four digits. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "month", type = "u8", size = 1, doc = "Month, 1 for January. Range: 1 to 12. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "day", type = "u8", size = 1, doc = "Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "hour", type = "u8", size = 1, doc = "Hour of the day. Range: 0 to 23. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set." },
+      { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year with four digits. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "month", type = "u8", size = 1, doc = "Month, 1 for January. Range: 1 to 12. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "day", type = "u8", size = 1, doc = "Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "hour", type = "u8", size = 1, doc = "Hour of the day. Range: 0 to 23. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Validity flags for the time." },
     } }, { { set = 0x81, name = "gnss_data.utc_time", title = "UTC time" }, { set = 0x91, name = "gnss_1.utc_time", title = "UTC time" }, { set = 0x92, name = "gnss_2.utc_time", title = "UTC time" }, { set = 0x93, name = "gnss_corrections.utc_time", title = "UTC time" }, { set = 0x94, name = "gnss_external.utc_time", title = "UTC time" }, { set = 0x95, name = "gnss_external_2.utc_time", title = "UTC time" }, })
 field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "GPS time",
     doc = "GPS time according to the receiver.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Validity flags for the time." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
 field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
     doc = "Bias and drift of the receiver clock.", least = 26,
     always = 4,
     rows = {
-      { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
-      { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
+      { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Validity flags for the clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix, with the satellites and corrections used.", least = 6,
     always = 4,
     rows = {
-      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Quantities that the receiver can determine at present. Valid if valid_flags.fix_type is set." },
-      { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
-      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "Corrections and satellite systems of the fix. Valid if valid_flags.fix_flags is set." },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Quantities that the receiver can determine at present. Valid if valid_flags.fix_type is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "Corrections and satellite systems of the fix. Valid if valid_flags.fix_flags is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Validity flags for the fix information." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
     doc = "State of one tracked satellite.", least = 12,
     always = 7,
     rows = {
-      { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set." },
-      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set." },
-      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if valid_flags.elevation is set." },
-      { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
+      { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "carrier_noise_ratio", type = "u16", size = 2, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.carrier_noise_ratio is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.azimuth is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if valid_flags.elevation is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Validity flags for the satellite info." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
 field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
     doc = "State of the receiver and of its antenna.", least = 5,
     always = 4,
     rows = {
-      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Operating state of the receiver. Valid if valid_flags.sensor_state is set." },
-      { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "Electrical condition of the antenna. Valid if valid_flags.antenna_state is set." },
-      { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "State of the antenna's power supply. Valid if valid_flags.antenna_power is set." },
+      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Operating state of the receiver. Valid if valid_flags.sensor_state is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "Electrical condition of the antenna. Valid if valid_flags.antenna_state is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "State of the antenna's power supply. Valid if valid_flags.antenna_power is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Validity flags for the hardware status." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
     doc = "State of the differential corrections.", least = 12,
     always = 5,
     rows = {
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
-      { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
-      { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
-      { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Range: at least 0. Valid if valid_flags.age is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Validity flags for the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info for one satellite",
@@ -3505,7 +3509,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Validity flags for the state of the corrections." },
@@ -3514,39 +3518,39 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
     doc = "Differential correction for one satellite.", least = 15,
     always = 5,
     rows = {
-      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
-      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m. Valid if valid_flags.range_correction is set." },
-      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
+      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m. Valid if valid_flags.range_correction is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s. Valid if valid_flags.range_rate_correction is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Validity flags for a differential correction." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
     doc = "Bias and drift of the receiver clock.", least = 34,
     always = 5,
     rows = {
-      { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
-      { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
-      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
-      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
+      { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Validity flags for the clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
     doc = "Difference between GPS time and UTC.", least = 3,
     always = 2,
     rows = {
-      { kind = "scalar", name = "leap_seconds", type = "u8", size = 1, units = {"s", }, doc = "GPS time minus UTC. Unit: s. Valid if valid_flags.leap_seconds is set." },
+      { kind = "scalar", name = "leap_seconds", type = "u8", size = 1, units = {"s", }, doc = "GPS time minus UTC. Unit: s. Valid if valid_flags.leap_seconds is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_leap_seconds_flags"], doc = "Validity of the leap seconds." },
     } }, { { set = 0x81, name = "gnss_data.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x91, name = "gnss_1.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x92, name = "gnss_2.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x93, name = "gnss_corrections.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x94, name = "gnss_external.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x95, name = "gnss_external_2.gps_leap_seconds", title = "GPS leap seconds" }, })
 field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = "SBAS info",
     doc = "Status of the satellite-based augmentation (SBAS).", least = 16,
     always = 7,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "sbas_system", type = "u8", size = 1, enum = E["gnss_data.sbas_system"], doc = "System in use. Valid if valid_flags.sbas_system is set." },
-      { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set." },
-      { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "sbas_system", type = "u8", size = 1, enum = E["gnss_data.sbas_system"], doc = "System in use. Valid if valid_flags.sbas_system is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Validity flags for the SBAS status." },
     } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
 field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
@@ -3559,19 +3563,19 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
-      { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
-      { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange by the augmentation system. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
-      { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
+      { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange by the augmentation system. Unit: m. Valid if valid_flags.pseudorange_correction is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Validity flags for an SBAS correction." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 6,
     rows = {
-      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band to which the states apply. Valid if valid_flags.rf_band is set." },
-      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "State of jamming in this band. Valid if valid_flags.jamming_state is set." },
-      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "State of spoofing in this band. Valid if valid_flags.spoofing_state is set." },
-      { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
+      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band to which the states apply. Valid if valid_flags.rf_band is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "State of jamming in this band. Valid if valid_flags.jamming_state is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "State of spoofing in this band. Valid if valid_flags.spoofing_state is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Validity flags for the detection." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
@@ -3580,9 +3584,9 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
     always = 4,
     plain = true,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
-      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Validity flags for the heading." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
@@ -3591,13 +3595,13 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
-      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if valid_flags.elevation is set." },
-      { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.azimuth is set." },
-      { kind = "scalar", name = "health", type = "bool", size = 1, doc = "True if the satellite is healthy. Valid if valid_flags.health is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if valid_flags.elevation is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.azimuth is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
+      { kind = "scalar", name = "health", type = "bool", size = 1, doc = "True if the satellite is healthy. Valid if valid_flags.health is set.", valid = { { flags = { { name = "valid_flags", mask = 64 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Validity flags for the satellite status." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
 field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
@@ -3606,48 +3610,48 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "receiver_id", type = "u16", size = 2, doc = "Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if valid_flags.receiver_id is set." },
-      { kind = "scalar", name = "tracking_channel", type = "u8", size = 1, doc = "Channel that tracks the satellite. Valid if valid_flags.tracking_channel is set." },
-      { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
-      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
-      { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal of the satellite that was tracked. Valid if valid_flags.signal_id is set." },
-      { kind = "scalar", name = "signal_strength", type = "float", size = 4, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.signal_strength is set." },
-      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "Tracking quality of the signal. Valid if valid_flags.quality is set." },
-      { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if valid_flags.pseudorange is set." },
-      { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
-      { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
-      { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if valid_flags.range_uncertainty is set." },
-      { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
-      { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
-      { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "receiver_id", type = "u16", size = 2, doc = "Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if valid_flags.receiver_id is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "tracking_channel", type = "u8", size = 1, doc = "Channel that tracks the satellite. Valid if valid_flags.tracking_channel is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
+      { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal of the satellite that was tracked. Valid if valid_flags.signal_id is set.", valid = { { flags = { { name = "valid_flags", mask = 64 }, } }, } },
+      { kind = "scalar", name = "signal_strength", type = "float", size = 4, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.signal_strength is set.", valid = { { flags = { { name = "valid_flags", mask = 128 }, } }, } },
+      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "Tracking quality of the signal. Valid if valid_flags.quality is set.", valid = { { flags = { { name = "valid_flags", mask = 256 }, } }, } },
+      { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if valid_flags.pseudorange is set.", valid = { { flags = { { name = "valid_flags", mask = 512 }, } }, } },
+      { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle. Valid if valid_flags.carrier_phase is set.", valid = { { flags = { { name = "valid_flags", mask = 1024 }, } }, } },
+      { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set.", valid = { { flags = { { name = "valid_flags", mask = 2048 }, } }, } },
+      { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if valid_flags.range_uncertainty is set.", valid = { { flags = { { name = "valid_flags", mask = 4096 }, } }, } },
+      { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set.", valid = { { flags = { { name = "valid_flags", mask = 8192 }, } }, } },
+      { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set.", valid = { { flags = { { name = "valid_flags", mask = 16384 }, } }, } },
+      { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set.", valid = { { flags = { { name = "valid_flags", mask = 32768 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Validity flags for the observation." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
     doc = "Base station that sends the corrections, from RTCM message 1005 or 1006.", least = 44,
     always = 7,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "array", name = "ecef_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the station. Unit: m. Frame: ecef. Valid if valid_flags.ecef_position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the surveyed marker. Unit: m. Valid if valid_flags.height is set." },
-      { kind = "scalar", name = "station_id", type = "u16", size = 2, doc = "Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id is set." },
-      { kind = "scalar", name = "indicators", type = "u16", size = 2, flags = F["gnss_data.base_station_indicators"], doc = "Properties of the station. Valid if valid_flags.indicators is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "array", name = "ecef_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the station. Unit: m. Frame: ecef. Valid if valid_flags.ecef_position is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the surveyed marker. Unit: m. Valid if valid_flags.height is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "station_id", type = "u16", size = 2, doc = "Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "indicators", type = "u16", size = 2, flags = F["gnss_data.base_station_indicators"], doc = "Properties of the station. Valid if valid_flags.indicators is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.base_station_info_flags"], doc = "Valid values." },
     } }, { { set = 0x81, name = "gnss_data.base_station_info", title = "Base station info" }, { set = 0x91, name = "gnss_1.base_station_info", title = "Base station info" }, { set = 0x92, name = "gnss_2.base_station_info", title = "Base station info" }, { set = 0x93, name = "gnss_corrections.base_station_info", title = "Base station info" }, { set = 0x94, name = "gnss_external.base_station_info", title = "Base station info" }, { set = 0x95, name = "gnss_external_2.base_station_info", title = "Base station info" }, })
 field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "data", title = "RTK corrections status",
     doc = "Received corrections and their age.", least = 50,
     always = 10,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
-      { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle, meaningful only if one is connected. Valid if valid_flags.dongle_status is set." },
-      { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if valid_flags.gps_latency is set." },
-      { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if valid_flags.glonass_latency is set." },
-      { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if valid_flags.galileo_latency is set." },
-      { kind = "scalar", name = "beidou_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if valid_flags.beidou_latency is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
+      { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle, meaningful only if one is connected. Valid if valid_flags.dongle_status is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if valid_flags.gps_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
+      { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if valid_flags.glonass_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
+      { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if valid_flags.galileo_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 64 }, } }, } },
+      { kind = "scalar", name = "beidou_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last BeiDou correction. Unit: s. Range: at least 0. Valid if valid_flags.beidou_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 128 }, } }, } },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 4, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u32", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rtk_corrections_status_flags"], doc = "Valid values." },
     } }, { { set = 0x81, name = "gnss_data.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x91, name = "gnss_1.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x92, name = "gnss_2.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x93, name = "gnss_corrections.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x94, name = "gnss_external.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x95, name = "gnss_external_2.rtk_corrections_status", title = "RTK corrections status" }, })
@@ -3660,34 +3664,34 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
-      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_uc", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_uc", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x91, name = "gnss_1.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x92, name = "gnss_2.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x93, name = "gnss_corrections.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x94, name = "gnss_external.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x95, name = "gnss_external_2.gps_ephemeris", title = "GPS ephemeris" }, })
 field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
@@ -3699,25 +3703,25 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
-      { kind = "scalar", name = "frequency_number", type = "s8", size = 1, doc = "GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "tk", type = "u32", size = 4, units = {"s", }, doc = "Start of the frame within the day. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "tb", type = "u32", size = 4, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "satellite_type", type = "u8", size = 1, enum = E["gnss_data.glonass_satellite_type"], doc = "Generation of the satellite (M). Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "gamma", type = "double", size = 8, doc = "Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "tau_n", type = "double", size = 8, units = {"s", }, doc = "Correction of the satellite time relative to GLONASS time. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the satellite in PZ-90. Unit: m. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the satellite in PZ-90. Unit: m/s. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration of the satellite due to perturbations, in PZ-90. Unit: m/s^2. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health (Bn); nonzero if the satellite is malfunctioning. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "p", type = "u8", size = 1, doc = "Mode of operation of the satellite. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "nt", type = "u8", size = 1, units = {"day", }, doc = "Day within a period of four years. Unit: day. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_tau_n", type = "float", size = 4, units = {"s", }, doc = "Time difference between L1 and L2. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "ft", type = "u8", size = 1, doc = "Code of the user range accuracy. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "en", type = "u8", size = 1, units = {"day", }, doc = "Age of the information. Unit: day. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "p1", type = "u8", size = 1, units = {"min", }, doc = "Time between adjacent values of tb. Unit: min. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "p2", type = "u8", size = 1, doc = "1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "p3", type = "u8", size = 1, doc = "Number of satellites in the almanac of the frame. Unit: 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "p4", type = "u8", size = 1, doc = "Presence of ephemeris parameters. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "frequency_number", type = "s8", size = 1, doc = "GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "tk", type = "u32", size = 4, units = {"s", }, doc = "Start of the frame within the day. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "tb", type = "u32", size = 4, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "satellite_type", type = "u8", size = 1, enum = E["gnss_data.glonass_satellite_type"], doc = "Generation of the satellite (M). Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "gamma", type = "double", size = 8, doc = "Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "tau_n", type = "double", size = 8, units = {"s", }, doc = "Correction of the satellite time relative to GLONASS time. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the satellite in PZ-90. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the satellite in PZ-90. Unit: m/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration of the satellite due to perturbations, in PZ-90. Unit: m/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health (Bn); nonzero if the satellite is malfunctioning. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "p", type = "u8", size = 1, doc = "Mode of operation of the satellite. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "nt", type = "u8", size = 1, units = {"day", }, doc = "Day within a period of four years. Unit: day. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_tau_n", type = "float", size = 4, units = {"s", }, doc = "Time difference between L1 and L2. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "ft", type = "u8", size = 1, doc = "Code of the user range accuracy. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "en", type = "u8", size = 1, units = {"day", }, doc = "Age of the information. Unit: day. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "p1", type = "u8", size = 1, units = {"min", }, doc = "Time between adjacent values of tb. Unit: min. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "p2", type = "u8", size = 1, doc = "1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "p3", type = "u8", size = 1, doc = "Number of satellites in the almanac of the frame. Unit: 1. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "p4", type = "u8", size = 1, doc = "Presence of ephemeris parameters. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.glonass_ephemeris_flags"], doc = "Validity of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x91, name = "gnss_1.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x92, name = "gnss_2.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x93, name = "gnss_corrections.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x94, name = "gnss_external.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x95, name = "gnss_external_2.glonass_ephemeris", title = "GLONASS ephemeris" }, })
 field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
@@ -3729,34 +3733,34 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
-      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_uc", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_uc", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x91, name = "gnss_1.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x92, name = "gnss_2.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x93, name = "gnss_corrections.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x94, name = "gnss_external.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x95, name = "gnss_external_2.galileo_ephemeris", title = "Galileo ephemeris" }, })
 field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
@@ -3768,182 +3772,182 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
-      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_uc", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health of satellite and signals. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "iodc", type = "u8", size = 1, doc = "Issue of data, clock. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "iode", type = "u8", size = 1, doc = "Issue of data, ephemeris. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_oc", type = "double", size = 8, units = {"s", }, doc = "Reference time of the clock data. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af0", type = "double", size = 8, units = {"s", }, doc = "Clock bias. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "mean_anomaly", type = "double", size = 8, units = {"rad", }, doc = "Mean anomaly at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_mean_motion", type = "double", size = 8, units = {"rad/s", }, doc = "Correction of the mean motion. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "delta_mean_motion_dot", type = "double", size = 8, units = {"rad/s^2", }, doc = "Rate of the correction of the mean motion. Unit: rad/s^2. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "eccentricity", type = "double", size = 8, doc = "Eccentricity of the orbit. Unit: 1. Range: at least 0, less than 1. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "argument_of_perigee", type = "double", size = 8, units = {"rad", }, doc = "Angle from the ascending node to the perigee. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "omega", type = "double", size = 8, units = {"rad", }, doc = "Longitude of the ascending node. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "omega_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the right ascension. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination", type = "double", size = 8, units = {"rad", }, doc = "Inclination of the orbit at the reference time. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination_dot", type = "double", size = 8, units = {"rad/s", }, doc = "Rate of the inclination. Unit: rad/s. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_ic", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_is", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the inclination. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_uc", type = "double", size = 8, units = {"rad", }, doc = "Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_us", type = "double", size = 8, units = {"rad", }, doc = "Sine harmonic correction of the argument of latitude. Unit: rad. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_rc", type = "double", size = 8, units = {"m", }, doc = "Cosine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "c_rs", type = "double", size = 8, units = {"m", }, doc = "Sine harmonic correction of the orbit radius. Unit: m. Valid if valid_flags.ephemeris is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x91, name = "gnss_1.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x92, name = "gnss_2.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x93, name = "gnss_corrections.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x94, name = "gnss_external.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x95, name = "gnss_external_2.beidou_ephemeris", title = "BeiDou ephemeris" }, })
 field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
     doc = "Ionospheric model that GPS broadcasts.", least = 76,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
     doc = "Ionospheric model that Galileo broadcasts.", least = 37,
     always = 5,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
     doc = "Ionospheric model that BeiDou broadcasts.", least = 148,
     always = 6,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
     doc = "Estimated position as latitude, longitude and height.", least = 26,
     always = 4,
     rows = {
-      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "ellipsoid_height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "Estimated velocity in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Velocity east. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Velocity down. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
     doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.euler_angles", title = "Euler angles" }, })
 field({ descriptor = 0x06, name = "filter_data.gyro_bias", role = "data", title = "Gyroscope bias",
     doc = "Estimated bias of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the filter subtracts. Unit: rad/s. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias", title = "Gyroscope bias" }, })
 field({ descriptor = 0x07, name = "filter_data.accel_bias", role = "data", title = "Accelerometer bias",
     doc = "Estimated bias of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Bias that the filter subtracts. Unit: m/s^2. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_bias", title = "Accelerometer bias" }, })
 field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role = "data", title = "Position uncertainty",
     doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
     doc = "Standard deviation of the estimated velocity in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
     doc = "Standard deviation of the estimated Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of pitch. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of yaw. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.euler_angles_uncertainty", title = "Euler angles uncertainty" }, })
 field({ descriptor = 0x0B, name = "filter_data.gyro_bias_uncertainty", role = "data", title = "Gyroscope bias uncertainty",
     doc = "Standard deviation of the estimated gyroscope bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_bias_uncertainty", title = "Gyroscope bias uncertainty" }, })
 field({ descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", role = "data", title = "Accelerometer bias uncertainty",
     doc = "Standard deviation of the estimated accelerometer bias.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_bias_uncertainty", title = "Accelerometer bias uncertainty" }, })
 field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
     doc = "Rate of change of the velocity, with the effect of gravity removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration; zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration; zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
     doc = "Angular rate with the estimated bias removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
 field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
     doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
@@ -3958,30 +3962,30 @@ field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title 
     doc = "GPS time of the filter data.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted from 1980. Unit: week. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.timestamp", title = "Filter timestamp" }, })
 field({ descriptor = 0x12, name = "filter_data.quaternion_attitude_uncertainty", role = "data", title = "Quaternion uncertainty",
     doc = "Standard deviation of the elements of the estimated attitude quaternion.", least = 18,
     always = 2,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Standard deviation per element. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.quaternion_attitude_uncertainty", title = "Quaternion uncertainty" }, })
 field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", title = "Gravity vector",
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
     doc = "The last heading that updated the filter, and its source.", least = 12,
     always = 4,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "source", type = "u16", size = 2, flags = F["filter_data.heading_source_flags"], doc = "Sources of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only external. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only mag and external." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
@@ -3989,71 +3993,71 @@ field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", t
     doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
     always = 6,
     rows = {
-      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "North component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "East component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Down component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "North component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "East component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Down component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.magnetic_model", title = "Magnetic model" }, })
 field({ descriptor = 0x16, name = "filter_data.gyro_scale_factor", role = "data", title = "Gyroscope scale factor",
     doc = "Estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor", title = "Gyroscope scale factor" }, })
 field({ descriptor = 0x17, name = "filter_data.accel_scale_factor", role = "data", title = "Accelerometer scale factor",
     doc = "Estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scale_factor", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Scale factor per axis. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor", title = "Accelerometer scale factor" }, })
 field({ descriptor = 0x18, name = "filter_data.gyro_scale_factor_uncertainty", role = "data", title = "Gyroscope scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the gyroscope.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gyro_scale_factor_uncertainty", title = "Gyroscope scale factor uncertainty" }, })
 field({ descriptor = 0x19, name = "filter_data.accel_scale_factor_uncertainty", role = "data", title = "Accelerometer scale factor uncertainty",
     doc = "Standard deviation of the estimated scale factor of the accelerometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scale_factor_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Standard deviation per axis. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.accel_scale_factor_uncertainty", title = "Accelerometer scale factor uncertainty" }, })
 field({ descriptor = 0x1A, name = "filter_data.mag_bias", role = "data", title = "Magnetometer bias",
     doc = "Estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated bias of the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated bias of the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_bias", title = "Magnetometer bias" }, })
 field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "data", title = "Magnetometer bias uncertainty",
     doc = "Standard deviation of the estimated bias of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "bias_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
     doc = "Specific force with the estimated bias removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Specific force: acceleration minus gravity. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Specific force: acceleration minus gravity. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
     doc = "US Standard Atmosphere of 1976 at the device's altitude.", least = 22,
     always = 6,
     rows = {
-      { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature at this altitude according to the model. Unit: degC. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature at this altitude according to the model. Unit: degC. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
@@ -4061,7 +4065,7 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
     always = 2,
     plain = true,
     rows = {
-      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
@@ -4069,63 +4073,63 @@ field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data",
     always = 2,
     plain = true,
     rows = {
-      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
     doc = "Estimated hard iron offset of the magnetometer.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
 field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
     doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix", title = "Magnetometer matrix" }, })
 field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
     doc = "Standard deviation of the estimated hard iron offset.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
 field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
     doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix_uncertainty", title = "Magnetometer matrix uncertainty" }, })
 field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "data", title = "Magnetometer covariance matrix",
     doc = "Covariance of the magnetometer measurement.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_covariance_matrix", title = "Magnetometer covariance matrix" }, })
 field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
     doc = "Residual of the magnetometer measurement.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Difference between the measured and the expected magnetic field. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Difference between the measured and the expected magnetic field. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
     doc = "Estimated error of the GNSS antenna offset.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
     doc = "Standard deviation of the estimated error of the GNSS antenna offset.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction_uncertainty", title = "Antenna offset correction uncertainty" }, })
 field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data", title = "Clock correction",
@@ -4133,8 +4137,8 @@ field({ descriptor = 0x32, name = "filter_data.clock_correction", role = "data",
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias", type = "float", size = 4, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "bias_drift", type = "float", size = 4, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.clock_correction", title = "Clock correction" }, })
 field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", role = "data", title = "Clock correction uncertainty",
@@ -4142,8 +4146,8 @@ field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", ro
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "bias_uncertainty", type = "float", size = 4, units = {"s", }, doc = "Standard deviation of the bias. Unit: s. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "bias_drift_uncertainty", type = "float", size = 4, units = {"s/s", }, doc = "Standard deviation of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
@@ -4151,7 +4155,7 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
@@ -4159,42 +4163,42 @@ field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_u
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
 field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
     doc = "Standard deviation of the estimated position in Earth-fixed coordinates.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
 field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
     doc = "Standard deviation of the estimated velocity in Earth-fixed coordinates.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
 field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
     doc = "Estimated position in Earth-fixed coordinates.", least = 26,
     always = 2,
     rows = {
-      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the reference point. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the reference point. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
     doc = "Estimated velocity in Earth-fixed coordinates.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the reference point. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the reference point. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "data", title = "NED relative position",
     doc = "Estimated position relative to the point that filter.relative_position_config sets.", least = 26,
     always = 2,
     rows = {
-      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "From the reference point to the device. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "relative_position", count = 3, capacity = 3, size = 8, elements = {"north", "east", "down", }, units = {"m", }, doc = "From the reference point to the device. Unit: m. Frame: ned. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_relative_position", title = "NED relative position" }, })
 field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
@@ -4235,23 +4239,23 @@ field({ descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", rol
     doc = "Estimated relative error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error", title = "Odometer scale factor error" }, })
 field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncertainty", role = "data", title = "Odometer scale factor error uncertainty",
     doc = "Uncertainty of the estimated error of the odometer scale factor.", least = 6,
     always = 2,
     rows = {
-      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "scale_factor_error_uncertainty", type = "float", size = 4, doc = "Uncertainty of the relative error. Unit: 1. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
 field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
     doc = "Heading from two GNSS antennas.", least = 17,
     always = 6,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
@@ -4290,7 +4294,7 @@ field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", 
     always = 2,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the displacement timestamp." },
-      { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if flags.time is set." },
+      { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if flags.time is set.", valid = { { flags = { { name = "flags", mask = 1 }, } }, } },
     } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement device timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
     doc = "Flags of the tests that run all the time.", least = 16,
@@ -4341,8 +4345,8 @@ field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title =
     doc = "External time of the data as GPS time of week and week number.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
-      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
+      { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Validity flags for the timestamp." },
     } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "Delta time",
@@ -4367,54 +4371,61 @@ field({ descriptor = 0xD7, name = "shared.external_timestamp", role = "data", ti
     doc = "Time of the data in the external clock domain.", least = 10,
     always = 2,
     rows = {
-      { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "External time. Unit: ns. Valid if valid_flags.nanoseconds is set." },
+      { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "External time. Unit: ns. Valid if valid_flags.nanoseconds is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_timestamp_flags"], doc = "Validity of the time." },
     } }, { { set = 0xFF, name = "shared.external_timestamp", title = "External timestamp" }, })
 field({ descriptor = 0xD8, name = "shared.external_time_delta", role = "data", title = "External time delta",
     doc = "External time since this field was last sent in the same set and event instance.", least = 10,
     always = 2,
     rows = {
-      { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns. Valid if valid_flags.dt_nanos is set." },
+      { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns. Valid if valid_flags.dt_nanos is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_time_delta_flags"], doc = "Validity of the difference." },
     } }, { { set = 0xFF, name = "shared.external_time_delta", title = "External time delta" }, })
 
 local DEVICES = {
-  { id = "3dm-cv5-10", title = "3DM-CV5-10" },
-  { id = "3dm-cv5-15", title = "3DM-CV5-15" },
-  { id = "3dm-cv5-25", title = "3DM-CV5-25" },
-  { id = "3dm-cv7-ahrs", title = "3DM-CV7-AHRS" },
-  { id = "3dm-cv7-ar", title = "3DM-CV7-AR" },
-  { id = "3dm-cv7-gnss-ins", title = "3DM-CV7-GNSS/INS" },
-  { id = "3dm-cv7-ins", title = "3DM-CV7-INS" },
-  { id = "3dm-cx5-10", title = "3DM-CX5-10" },
-  { id = "3dm-cx5-15", title = "3DM-CX5-15" },
-  { id = "3dm-cx5-25", title = "3DM-CX5-25" },
-  { id = "3dm-cx5-45", title = "3DM-CX5-45" },
-  { id = "3dm-cx7-ahrs", title = "3DM-CX7-AHRS" },
-  { id = "3dm-cx7-ar", title = "3DM-CX7-AR" },
-  { id = "3dm-cx7-ins", title = "3DM-CX7-INS" },
-  { id = "3dm-dh3", title = "3DM-DH3" },
-  { id = "3dm-gq4-45", title = "3DM-GQ4-45" },
-  { id = "3dm-gq7", title = "3DM-GQ7-GNSS/INS" },
-  { id = "3dm-gv7-ahrs", title = "3DM-GV7-AHRS" },
-  { id = "3dm-gv7-ar", title = "3DM-GV7-AR" },
-  { id = "3dm-gv7-ins", title = "3DM-GV7-INS" },
-  { id = "3dm-gx3-15", title = "3DM-GX3-15" },
-  { id = "3dm-gx3-25", title = "3DM-GX3-25" },
-  { id = "3dm-gx3-35", title = "3DM-GX3-35" },
-  { id = "3dm-gx3-45", title = "3DM-GX3-45" },
-  { id = "3dm-gx4-15", title = "3DM-GX4-15" },
-  { id = "3dm-gx4-25", title = "3DM-GX4-25" },
-  { id = "3dm-gx4-45", title = "3DM-GX4-45" },
-  { id = "3dm-gx5-15", title = "3DM-GX5-15" },
-  { id = "3dm-gx5-25", title = "3DM-GX5-25" },
-  { id = "3dm-gx5-35", title = "3DM-GX5-35" },
-  { id = "3dm-gx5-45", title = "3DM-GX5-45" },
-  { id = "3dm-mv5-ar", title = "3DM-MV5-AR" },
-  { id = "3dm-rq1-45-lt", title = "3DM-RQ1-45-LT" },
-  { id = "3dm-rq1-45-st", title = "3DM-RQ1-45-ST" },
-  { id = "3dm-rtk", title = "3DM-RTK" },
+  { id = "3dm-cv5-10", title = "3DM-CV5-10", number = 6259 },
+  { id = "3dm-cv5-15", title = "3DM-CV5-15", number = 6258 },
+  { id = "3dm-cv5-25", title = "3DM-CV5-25", number = 6257 },
+  { id = "3dm-cv7-ahrs", title = "3DM-CV7-AHRS", number = 6286 },
+  { id = "3dm-cv7-ar", title = "3DM-CV7-AR", number = 6287 },
+  { id = "3dm-cv7-gnss-ins", title = "3DM-CV7-GNSS/INS", number = 6292 },
+  { id = "3dm-cv7-ins", title = "3DM-CV7-INS", number = 6291 },
+  { id = "3dm-cx5-10", title = "3DM-CX5-10", number = 6275 },
+  { id = "3dm-cx5-15", title = "3DM-CX5-15", number = 6274 },
+  { id = "3dm-cx5-25", title = "3DM-CX5-25", number = 6273 },
+  { id = "3dm-cx5-45", title = "3DM-CX5-45", number = 6271 },
+  { id = "3dm-cx7-ahrs", title = "3DM-CX7-AHRS", number = 6701 },
+  { id = "3dm-cx7-ar", title = "3DM-CX7-AR", number = 6700 },
+  { id = "3dm-cx7-ins", title = "3DM-CX7-INS", number = 6702 },
+  { id = "3dm-dh3", title = "3DM-DH3", number = 6219 },
+  { id = "3dm-gq4-45", title = "3DM-GQ4-45", number = 6250 },
+  { id = "3dm-gq7", title = "3DM-GQ7-GNSS/INS", number = 6284 },
+  { id = "3dm-gv7-ahrs", title = "3DM-GV7-AHRS", number = 6288 },
+  { id = "3dm-gv7-ar", title = "3DM-GV7-AR", number = 6289 },
+  { id = "3dm-gv7-ins", title = "3DM-GV7-INS", number = 6290 },
+  { id = "3dm-gx3-15", title = "3DM-GX3-15", number = 6227 },
+  { id = "3dm-gx3-25", title = "3DM-GX3-25", number = 6223 },
+  { id = "3dm-gx3-35", title = "3DM-GX3-35", number = 6225 },
+  { id = "3dm-gx3-45", title = "3DM-GX3-45", number = 6228 },
+  { id = "3dm-gx4-15", title = "3DM-GX4-15", number = 6233 },
+  { id = "3dm-gx4-25", title = "3DM-GX4-25", number = 6234 },
+  { id = "3dm-gx4-45", title = "3DM-GX4-45", number = 6236 },
+  { id = "3dm-gx4-imu", title = "3DM-GX4-IMU", number = 6237 },
+  { id = "3dm-gx5-15", title = "3DM-GX5-15", number = 6254 },
+  { id = "3dm-gx5-25", title = "3DM-GX5-25", number = 6253 },
+  { id = "3dm-gx5-35", title = "3DM-GX5-35", number = 6252 },
+  { id = "3dm-gx5-45", title = "3DM-GX5-45", number = 6251 },
+  { id = "3dm-mv5-ar", title = "3DM-MV5-AR", number = 6243 },
+  { id = "3dm-rq1-45-lt", title = "3DM-RQ1-45-LT", number = 6232 },
+  { id = "3dm-rq1-45-st", title = "3DM-RQ1-45-ST", number = 6239 },
+  { id = "3dm-rq1-imu", title = "3DM-RQ1-IMU", number = 6238 },
+  { id = "3dm-rtk", title = "3DM-RTK", number = 6285 },
+  { id = "demod-dc", title = "DEMOD-DC", number = 6130 },
 }
+
+-- The field with which a device identifies itself, and the texts in it that begin with its model number.
+local IDENTITY = "base.get_device_info_response"
+local MODEL_NUMBERS = { ["model_number"] = true, ["serial_number"] = true, }
 
 -- ---------------------------------------------------------------------------------------------------------- filters
 -- The display filters: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
@@ -4450,6 +4461,8 @@ local own = {
   field_role = filter(ProtoField.string(PREFIX .. ".field.role", "Role", base.ASCII, "command, response or data.")),
   field_data = filter(ProtoField.bytes(PREFIX .. ".field.data", "Data", base.SPACE,
     "Data of a field that cannot be decoded.")),
+  invalid = filter(ProtoField.string(PREFIX .. ".field.invalid", "Invalid", base.ASCII,
+    "Name of a value that its flags do not mark as valid.")),
   trailing = filter(ProtoField.bytes(PREFIX .. ".field.trailing", "Left over", base.SPACE,
     "Bytes after the last known parameter.")),
   answer_in = filter(ProtoField.framenum(PREFIX .. ".answer_in", "Answer in", base.NONE, frametype.RESPONSE)),
@@ -4813,6 +4826,43 @@ local function decode(f, raw)
   return nodes, record, reader.stop - reader.at, not good and problem or nil
 end
 
+local function overlap(number, mask)
+  return UInt64(number):band(UInt64(mask)):tonumber() ~= 0
+end
+
+-- True if the bits of a mask are set in a number; the mask 0 is for a Boolean.
+local function holds(number, mask)
+  if type(number) ~= "number" then
+    return number ~= nil
+  end
+  return mask == 0 and number ~= 0 or UInt64(number):band(UInt64(mask)):tonumber() == mask
+end
+
+-- Returns the flags that mark a value as valid: of a device, by its id, or if it is not known, those that the flags of
+-- the record fit. Others are the last.
+local function flags_of(readings, record, device)
+  for _, r in ipairs(readings) do
+    local flag = r.flags[1]
+    local number = flag and record[flag.name]
+    if not r.devices or (device and r.devices[device]) then
+      return r.flags
+    elseif not device and r.fewer and type(number) == "number" and not overlap(number, r.fewer) then
+      return r.flags
+    end
+  end
+end
+
+-- True if all flags mark a value as valid; with an index, those of this element.
+local function is_valid(row, record, device, index)
+  local flags = row.valid and flags_of(row.valid, record, device) or {}
+  for i, flag in ipairs(flags) do
+    if (not index or not flags[2] or i == index) and not holds(record[flag.name], flag.mask) then
+      return false
+    end
+  end
+  return true
+end
+
 -- True if the data contains the constants of a layout, as far as the data reaches.
 local function fits(f, raw)
   for _, constant in ipairs(f.constants or {}) do
@@ -4880,12 +4930,35 @@ local function written(made, range)
   return tostring(range:uint64())
 end
 
--- Returns the type that names the values of a plain number, by another parameter or the device in the preferences.
-local function reading(readings, record, member)
+-- Models that devices have named: conversation -> the id, or false if there are several.
+local named
+
+local function forget_devices()
+  named = {}
+end
+
+-- Notes the model number with which a text begins.
+local function device_named(conversation, text)
+  local digits = text:match("^ *(%d+)[-. %z]") or text:match("^ *(%d+)$")
+  for _, device in ipairs(digits and DEVICES or {}) do
+    if device.number == tonumber(digits) then
+      local before = named[conversation]
+      named[conversation] = (before == nil or before == device.id) and device.id
+    end
+  end
+end
+
+-- Returns the id of the device in the preferences, or of the one that has named itself.
+local function device_in(conversation)
+  local device = DEVICES[preferences.device]
+  return device and device.id or named[conversation] or nil
+end
+
+-- Returns the type that names the values of a plain number, by another parameter or the device.
+local function reading(readings, record, member, device)
   for _, r in ipairs(readings or {}) do
     if r.member == member then
-      local device = r.device and DEVICES[preferences.device]
-      if (r.by and record[r.by] == r.value) or (device and device.id == r.device) then
+      if (r.by and record[r.by] == r.value) or (device and device == r.device) then
         return r
       end
     end
@@ -4943,8 +5016,19 @@ end
 
 local add = {}
 
+local function mark_invalid(item, name)
+  item:append_text(" (invalid)")
+  item:add(own.invalid, name):set_generated()
+end
+
+-- Adds a node; returns its text for the line of the field.
 local function add_one(made, context)
-  return add[made.row.kind](made, context)
+  local text, item = add[made.row.kind](made, context)
+  if not item or is_valid(made.row, context.record, context.device) then
+    return text
+  end
+  mark_invalid(item, made.row.name)
+  return text and text .. " (invalid)"
 end
 
 -- `context`: the packet, the offset of the field's data in it, the tree, the numbers of the record, and the readings
@@ -4952,7 +5036,7 @@ end
 local function within(context, tree, record, readings)
   return {
     data = context.data, base = context.base,
-    tree = tree, record = record, readings = readings, outer = context.record,
+    tree = tree, record = record, readings = readings, outer = context.record, device = context.device,
   }
 end
 
@@ -4961,7 +5045,8 @@ function add.scalar(made, context)
   local item = context.tree:add(made.bound.filter, range)
   name_large(item, row, made.value, range:uint64())
   item:append_text(unit(row))
-  local read_as = reading(row.readings, context.record) or reading(context.readings, context.outer, row.name)
+  local read_as = reading(row.readings, context.record, nil, context.device)
+    or reading(context.readings, context.outer, row.name, context.device)
   if read_as and read_as.enum then
     local name = read_as.enum[made.value]
     item:append_text(name and " (" .. name .. ")" or "")
@@ -4971,7 +5056,7 @@ function add.scalar(made, context)
   if made.bound.bits and not (read_as and read_as.flags) then
     bit_items(made, item, range)
   end
-  return written(made, range) .. unit(row)
+  return written(made, range) .. unit(row), item
 end
 
 function add.constant(made, context)
@@ -5016,18 +5101,21 @@ function add.array(made, context)
   if row.elements then
     local item, texts = context.tree:add(made.bound.filter, range), {}
     for i, part in ipairs(made.parts) do
-      add.scalar(part, within(context, item, {}))
+      local _, element = add.scalar(part, within(context, item, {}))
       texts[i] = written(part, span(part, context))
+      if not is_valid(row, context.record, context.device, i) then
+        element:append_text(" (invalid)")
+      end
     end
     local common = not (row.units and row.units[2]) and unit(row) or ""
     local text = table.concat(texts, ", ") .. common
     item:set_text(row.name .. ": " .. text)
-    return text
+    return text, item
   end
   local count = #made.parts
   local noun = count == 1 and "element" or "elements"
   local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, noun))
-  local read_as = reading(row.readings, context.record)
+  local read_as = reading(row.readings, context.record, nil, context.device)
   if read_as and read_as.flags then
     bit_lines(read_as.flags, item, range)
   end
@@ -5035,7 +5123,7 @@ function add.array(made, context)
   for _, part in ipairs(made.parts) do
     add_one(part, inside)
   end
-  return count > 0 and string.format("%d %s", count, row.name) or nil
+  return count > 0 and string.format("%d %s", count, row.name) or nil, item
 end
 
 function add.switch(made, context)
@@ -5049,9 +5137,9 @@ function add.switch(made, context)
 end
 
 -- Adds all nodes; returns the first values as a text for the line of the field.
-local function add_nodes(nodes, data, base, tree, record)
+local function add_nodes(nodes, data, base, tree, record, device)
   local texts, size = {}, 0
-  local context = { data = data, base = base, tree = tree, record = record }
+  local context = { data = data, base = base, tree = tree, record = record, device = device }
   for _, made in ipairs(nodes) do
     local text = add_one(made, context)
     if text and made.row.name ~= "function" and size < 80 then
@@ -5323,6 +5411,16 @@ end
 
 local PROBLEMS = { truncated = "too short", count = "wrong count", constant = "wrong constant" }
 
+-- Notes the model of a device that identifies itself.
+local function model_numbers(nodes, raw, conversation)
+  for _, made in ipairs(nodes) do
+    if MODEL_NUMBERS[made.row.name] then
+      device_named(conversation, raw:sub(made.at + 1, made.at + made.size))
+    end
+    model_numbers(made.parts or {}, raw, conversation)
+  end
+end
+
 -- Shows one field; returns its text for the info column, and its layout.
 local function show_field(packet, at, size, index, tree)
   local data, descriptor = packet.data:range(at + 2, size - 2), packet.raw:byte(at + 2)
@@ -5343,7 +5441,10 @@ local function show_field(packet, at, size, index, tree)
   add_generated(item, own.field_name, f.name)
   add_generated(item, own.field_role, f.role)
   local nodes, record, left, problem = decode(f, raw)
-  local text = add_nodes(nodes, packet.data, at + 2, item, record)
+  if f.name == IDENTITY and packet.good then
+    model_numbers(nodes, raw, packet.conversation)
+  end
+  local text = add_nodes(nodes, packet.data, at + 2, item, record, device_in(packet.conversation))
   if problem then
     if problem.kind ~= "constant" then -- a wrong constant is shown at its value
       item:add_proto_expert_info(experts[problem.kind], problem.text)
@@ -5549,6 +5650,7 @@ end
 function mip.init()
   held, before = {}, {}
   forget_exchanges()
+  forget_devices()
 end
 
 -- ------------------------------------------------------------------------- heuristics
@@ -5586,12 +5688,12 @@ preferences.user_dlts =
   Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
 
 do
-  local devices = { { 1, "any", 0 } }
+  local devices = { { 1, "as the capture says", 0 } }
   for i, device in ipairs(DEVICES) do
     devices[i + 1] = { i + 1, device.title, i }
   end
   preferences.device =
-    Pref.enum("Device", 0, "Device whose names are shown for values and bits that differ.", devices, false)
+    Pref.enum("Device", 0, "Model as which values, bits and flags are read if they differ.", devices, false)
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 

@@ -184,6 +184,43 @@ local function decode(f, raw)
   return nodes, record, reader.stop - reader.at, not good and problem or nil
 end
 
+local function overlap(number, mask)
+  return UInt64(number):band(UInt64(mask)):tonumber() ~= 0
+end
+
+-- True if the bits of a mask are set in a number; the mask 0 is for a Boolean.
+local function holds(number, mask)
+  if type(number) ~= "number" then
+    return number ~= nil
+  end
+  return mask == 0 and number ~= 0 or UInt64(number):band(UInt64(mask)):tonumber() == mask
+end
+
+-- Returns the flags that mark a value as valid: of a device, by its id, or if it is not known, those that the flags of
+-- the record fit. Others are the last.
+local function flags_of(readings, record, device)
+  for _, r in ipairs(readings) do
+    local flag = r.flags[1]
+    local number = flag and record[flag.name]
+    if not r.devices or (device and r.devices[device]) then
+      return r.flags
+    elseif not device and r.fewer and type(number) == "number" and not overlap(number, r.fewer) then
+      return r.flags
+    end
+  end
+end
+
+-- True if all flags mark a value as valid; with an index, those of this element.
+local function is_valid(row, record, device, index)
+  local flags = row.valid and flags_of(row.valid, record, device) or {}
+  for i, flag in ipairs(flags) do
+    if (not index or not flags[2] or i == index) and not holds(record[flag.name], flag.mask) then
+      return false
+    end
+  end
+  return true
+end
+
 -- True if the data contains the constants of a layout, as far as the data reaches.
 local function fits(f, raw)
   for _, constant in ipairs(f.constants or {}) do

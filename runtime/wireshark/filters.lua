@@ -32,6 +32,8 @@ local own = {
   field_role = filter(ProtoField.string(PREFIX .. ".field.role", "Role", base.ASCII, "command, response or data.")),
   field_data = filter(ProtoField.bytes(PREFIX .. ".field.data", "Data", base.SPACE,
     "Data of a field that cannot be decoded.")),
+  invalid = filter(ProtoField.string(PREFIX .. ".field.invalid", "Invalid", base.ASCII,
+    "Name of a value that its flags do not mark as valid.")),
   trailing = filter(ProtoField.bytes(PREFIX .. ".field.trailing", "Left over", base.SPACE,
     "Bytes after the last known parameter.")),
   answer_in = filter(ProtoField.framenum(PREFIX .. ".answer_in", "Answer in", base.NONE, frametype.RESPONSE)),

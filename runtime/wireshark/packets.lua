@@ -175,6 +175,16 @@ end
 
 local PROBLEMS = { truncated = "too short", count = "wrong count", constant = "wrong constant" }
 
+-- Notes the model of a device that identifies itself.
+local function model_numbers(nodes, raw, conversation)
+  for _, made in ipairs(nodes) do
+    if MODEL_NUMBERS[made.row.name] then
+      device_named(conversation, raw:sub(made.at + 1, made.at + made.size))
+    end
+    model_numbers(made.parts or {}, raw, conversation)
+  end
+end
+
 -- Shows one field; returns its text for the info column, and its layout.
 local function show_field(packet, at, size, index, tree)
   local data, descriptor = packet.data:range(at + 2, size - 2), packet.raw:byte(at + 2)
@@ -195,7 +205,10 @@ local function show_field(packet, at, size, index, tree)
   add_generated(item, own.field_name, f.name)
   add_generated(item, own.field_role, f.role)
   local nodes, record, left, problem = decode(f, raw)
-  local text = add_nodes(nodes, packet.data, at + 2, item, record)
+  if f.name == IDENTITY and packet.good then
+    model_numbers(nodes, raw, packet.conversation)
+  end
+  local text = add_nodes(nodes, packet.data, at + 2, item, record, device_in(packet.conversation))
   if problem then
     if problem.kind ~= "constant" then -- a wrong constant is shown at its value
       item:add_proto_expert_info(experts[problem.kind], problem.text)

@@ -122,6 +122,7 @@ end
 function mip.init()
   held, before = {}, {}
   forget_exchanges()
+  forget_devices()
 end
 
 -- ------------------------------------------------------------------------- heuristics
@@ -159,12 +160,12 @@ preferences.user_dlts =
   Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
 
 do
-  local devices = { { 1, "any", 0 } }
+  local devices = { { 1, "as the capture says", 0 } }
   for i, device in ipairs(DEVICES) do
     devices[i + 1] = { i + 1, device.title, i }
   end
   preferences.device =
-    Pref.enum("Device", 0, "Device whose names are shown for values and bits that differ.", devices, false)
+    Pref.enum("Device", 0, "Model as which values, bits and flags are read if they differ.", devices, false)
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 

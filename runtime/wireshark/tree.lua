@@ -23,12 +23,35 @@ local function written(made, range)
   return tostring(range:uint64())
 end
 
--- Returns the type that names the values of a plain number, by another parameter or the device in the preferences.
-local function reading(readings, record, member)
+-- Models that devices have named: conversation -> the id, or false if there are several.
+local named
+
+local function forget_devices()
+  named = {}
+end
+
+-- Notes the model number with which a text begins.
+local function device_named(conversation, text)
+  local digits = text:match("^ *(%d+)[-. %z]") or text:match("^ *(%d+)$")
+  for _, device in ipairs(digits and DEVICES or {}) do
+    if device.number == tonumber(digits) then
+      local before = named[conversation]
+      named[conversation] = (before == nil or before == device.id) and device.id
+    end
+  end
+end
+
+-- Returns the id of the device in the preferences, or of the one that has named itself.
+local function device_in(conversation)
+  local device = DEVICES[preferences.device]
+  return device and device.id or named[conversation] or nil
+end
+
+-- Returns the type that names the values of a plain number, by another parameter or the device.
+local function reading(readings, record, member, device)
   for _, r in ipairs(readings or {}) do
     if r.member == member then
-      local device = r.device and DEVICES[preferences.device]
-      if (r.by and record[r.by] == r.value) or (device and device.id == r.device) then
+      if (r.by and record[r.by] == r.value) or (device and device == r.device) then
         return r
       end
     end
@@ -86,8 +109,19 @@ end
 
 local add = {}
 
+local function mark_invalid(item, name)
+  item:append_text(" (invalid)")
+  item:add(own.invalid, name):set_generated()
+end
+
+-- Adds a node; returns its text for the line of the field.
 local function add_one(made, context)
-  return add[made.row.kind](made, context)
+  local text, item = add[made.row.kind](made, context)
+  if not item or is_valid(made.row, context.record, context.device) then
+    return text
+  end
+  mark_invalid(item, made.row.name)
+  return text and text .. " (invalid)"
 end
 
 -- `context`: the packet, the offset of the field's data in it, the tree, the numbers of the record, and the readings
@@ -95,7 +129,7 @@ end
 local function within(context, tree, record, readings)
   return {
     data = context.data, base = context.base,
-    tree = tree, record = record, readings = readings, outer = context.record,
+    tree = tree, record = record, readings = readings, outer = context.record, device = context.device,
   }
 end
 
@@ -104,7 +138,8 @@ function add.scalar(made, context)
   local item = context.tree:add(made.bound.filter, range)
   name_large(item, row, made.value, range:uint64())
   item:append_text(unit(row))
-  local read_as = reading(row.readings, context.record) or reading(context.readings, context.outer, row.name)
+  local read_as = reading(row.readings, context.record, nil, context.device)
+    or reading(context.readings, context.outer, row.name, context.device)
   if read_as and read_as.enum then
     local name = read_as.enum[made.value]
     item:append_text(name and " (" .. name .. ")" or "")
@@ -114,7 +149,7 @@ function add.scalar(made, context)
   if made.bound.bits and not (read_as and read_as.flags) then
     bit_items(made, item, range)
   end
-  return written(made, range) .. unit(row)
+  return written(made, range) .. unit(row), item
 end
 
 function add.constant(made, context)
@@ -159,18 +194,21 @@ function add.array(made, context)
   if row.elements then
     local item, texts = context.tree:add(made.bound.filter, range), {}
     for i, part in ipairs(made.parts) do
-      add.scalar(part, within(context, item, {}))
+      local _, element = add.scalar(part, within(context, item, {}))
       texts[i] = written(part, span(part, context))
+      if not is_valid(row, context.record, context.device, i) then
+        element:append_text(" (invalid)")
+      end
     end
     local common = not (row.units and row.units[2]) and unit(row) or ""
     local text = table.concat(texts, ", ") .. common
     item:set_text(row.name .. ": " .. text)
-    return text
+    return text, item
   end
   local count = #made.parts
   local noun = count == 1 and "element" or "elements"
   local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, noun))
-  local read_as = reading(row.readings, context.record)
+  local read_as = reading(row.readings, context.record, nil, context.device)
   if read_as and read_as.flags then
     bit_lines(read_as.flags, item, range)
   end
@@ -178,7 +216,7 @@ function add.array(made, context)
   for _, part in ipairs(made.parts) do
     add_one(part, inside)
   end
-  return count > 0 and string.format("%d %s", count, row.name) or nil
+  return count > 0 and string.format("%d %s", count, row.name) or nil, item
 end
 
 function add.switch(made, context)
@@ -192,9 +230,9 @@ function add.switch(made, context)
 end
 
 -- Adds all nodes; returns the first values as a text for the line of the field.
-local function add_nodes(nodes, data, base, tree, record)
+local function add_nodes(nodes, data, base, tree, record, device)
   local texts, size = {}, 0
-  local context = { data = data, base = base, tree = tree, record = record }
+  local context = { data = data, base = base, tree = tree, record = record, device = device }
   for _, made in ipairs(nodes) do
     local text = add_one(made, context)
     if text and made.row.name ~= "function" and size < 80 then

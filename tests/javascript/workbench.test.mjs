@@ -446,3 +446,19 @@ test("all forms of an attitude are the same rotation", { skip: !real && "of the 
     );
     for (const other of others) for (const [i, x] of other.entries()) assert.ok(Math.abs(x - wanted[i]) < 1e-9, `${other} ${wanted}`);
 });
+
+test("the live page reads times as those of the device", { skip: !real && "of the real one" }, () => {
+    const values = { tow: 345600, week_number: 2300, valid_flags: 7 }; // a date, but not on a device with five flags
+    const accel = { name: "sensor.scaled_accel", values: { scaled_accel: [0, 0, -1] } };
+    const packet = buildPacket(protocol, 0x80, [{ name: "sensor.gps_timestamp", values }, accel]);
+    const dated = (device) => {
+        const readings = new globalThis.mip.Readings(protocol);
+        readings.device = device;
+        readings.take(packet);
+        const reading = readings.fields.get(0x8004);
+        reading.plotted = true;
+        readings.take(packet);
+        return reading.dated;
+    };
+    assert.deepEqual([undefined, "3dm-gx5-25", "3dm-cv7-ahrs"].map(dated), [true, true, false]);
+});

@@ -15,6 +15,8 @@ import pytest
 import shark as captures
 from conformance.test_conformance import random_values
 from dissected import Element, accel, acknowledge, broken, copied, field_bytes, packet, shark, shown, trees
+from mip_protocol import Data, Packet, registry
+from mip_protocol.devices import DEVICES
 from mipgen import model as m
 from mipgen.emit import render
 from mipgen.lower import codec
@@ -22,6 +24,7 @@ from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
 from shark import Shark
 from support import ROOT, SPECS, all_fields, heavy, model, need, set_of
+from timed_packets import cases_of_devices
 
 pytestmark = heavy("tshark")
 
@@ -70,7 +73,7 @@ def check_float(raw: bytes, text: str) -> None:
 def check_names(p: m.Parameter, value: Any, name: str, parts: list[Element], frame: Element) -> None:
     if isinstance(p.element, m.Enum):
         known = next((v.name for v in p.element.values if v.value == value), "Unknown")
-        assert parts[0].get("showname") == f"{p.name}: {known} ({value})"
+        assert parts[0].get("showname", "").removesuffix(" (invalid)") == f"{p.name}: {known} ({value})"
     elif isinstance(p.element, m.Bitfield):
         number = value if isinstance(value, int) else int.from_bytes(bytes(value), "little")
         for b in p.element.bits:
@@ -78,7 +81,8 @@ def check_names(p: m.Parameter, value: Any, name: str, parts: list[Element], fra
             assert int(found, 0) == (number & b.mask) >> b.first, (name, b.name)
     elif p.units and p.units != ("1",):
         names = [f"{name}.{e}" for e in p.element.elements] if isinstance(p.element, m.Vector) else [name]
-        texts = [part.get("showname", "") for part in frame.iter("field") if part.get("name") in names]
+        shownames = [part.get("showname", "") for part in frame.iter("field") if part.get("name") in names]
+        texts = [text.removesuffix(" (invalid)") for text in shownames]
         units = p.units if len(p.units) == len(texts) else p.units * len(texts)
         assert all(text.endswith(f" {unit}") for text, unit in zip(texts, units, strict=True) if unit != "1"), texts
 
@@ -109,6 +113,51 @@ def test_a_device_names_values_and_bits_in_its_way(spec: str, tmp_path: Path) ->
             else:
                 assert isinstance(t, m.Bitfield)
                 assert {f"{b.name}: true" for b in t.bits if b.width == 1} <= set(texts)
+
+
+def flagged() -> list[bytes]:
+    """Packets of every field with flags, and those of GPS times with all flags that a model may set."""
+    of = model("real")
+    random = [(f, v) for f, v in random_values("real") if f.role == m.DATA and any(p.valid for p in f.parameters)]
+    packets = [codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, v))]) for f, v in random]
+    return [*packets, *{data: None for _, data, *_ in cases_of_devices()}]
+
+
+def invalid(data: bytes, device: str | None) -> list[str]:
+    """The values that their flags do not mark as valid, as `mip dump` says."""
+    fields = [x for x in registry.decode_packet(Packet(data)) if isinstance(x, Data)]
+    return [item.parameter.name for x in fields for item in x.INFO.items(x, device) if not item.valid]
+
+
+@pytest.mark.parametrize("name", ["", "3dm-gx5-25", "3dm-cv7-ar", "3dm-gq7", "3dm-cx5-45", "3dm-gx3-35"])
+def test_values_are_invalid_as_on_the_device_that_is_chosen(name: str, tmp_path: Path) -> None:
+    chosen = ["-o", f"mip_protocol.device:{DEVICES[name].title}"] if name else []
+    packets = flagged()
+    frames = trees(tmp_path, captures.serial(packets), *chosen)
+    seen = [(shown(frame, "mip.field.invalid"), invalid(data, name or None)) for frame, data in zip(frames, packets)]
+    assert all(here == wanted for here, wanted in seen) and len(seen) == len(packets)
+    assert any(wanted for _, wanted in seen) and not all(wanted for _, wanted in seen)
+    texts = [part.get("showname", part.get("show", "")) for part in frames[-1].iter("field")]
+    assert any("(invalid)" in text for text in texts) == bool(seen[-1][1]), texts
+
+
+def identity(number: int) -> bytes:
+    names = b"A device".ljust(16) + f"{number}-4220".encode().ljust(16) + b"6286.99999".ljust(16) + bytes(32)
+    return codec.build(model("real"), 0x01, [(0xF1, bytes((3, 0))), (0x81, bytes(2) + names)])
+
+
+def test_the_device_that_names_itself_in_the_capture(tmp_path: Path) -> None:
+    """Until then, it is not known; a device that is chosen counts more; two that name themselves leave it open."""
+    stamp = next(data for device, data, date, _ in cases_of_devices() if device == "3dm-cv7-ahrs" and date is None)
+    gx5, cv7 = (DEVICES[name].model_number or 0 for name in ("3dm-gx5-25", "3dm-cv7-ahrs"))
+    assert invalid(stamp, "3dm-cv7-ahrs") and not invalid(stamp, "3dm-gx5-25") and not invalid(stamp, None)
+    capture = captures.serial([stamp, identity(cv7), stamp, identity(gx5), stamp])
+    found = [bool(shown(frame, "mip.field.invalid")) for frame in trees(tmp_path, capture)]
+    assert found == [False, False, True, False, False]
+    twice = trees(tmp_path, captures.serial([stamp, identity(cv7)]), "-2")
+    assert shown(twice[0], "mip.field.invalid")
+    chosen = trees(tmp_path, capture, "-o", "mip_protocol.device:3DM-CV7-AHRS")
+    assert [bool(shown(frame, "mip.field.invalid")) for frame in chosen] == [True, False, True, False, True]
 
 
 @each_spec

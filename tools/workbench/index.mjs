@@ -11,7 +11,7 @@ export { finder } from "./finder.mjs";
 export { inspect, transactionsOf } from "./inspect.mjs";
 export { inspector } from "./inspector.mjs";
 export { Ranking, stem, telling, wordsOf } from "./rank.mjs";
-export { rotationOf } from "./readings.mjs";
+export { Readings, rotationOf } from "./readings.mjs";
 export { bytesOfText } from "./pasted.mjs";
 export { spanText } from "./logs.mjs";
 export { survey } from "./survey.mjs";

@@ -263,6 +263,7 @@ class Live {
         }
         if (device !== this.#device) return;
         this.#parts.actions.replaceChildren(element("button", { type: "button", onclick: () => this.#leave() }, "Disconnect"));
+        this.#readings.device = known?.id;
         if (known) this.#state.set({ device: known.id });
         this.#parts.streams.open = true;
         if (known && this.#parts.preset.checked && !this.#state.get("streams")) {

@@ -1,6 +1,6 @@
 // Data from a device: the latest values, their rates, and the last seconds of those that are plotted.
 
-import { decodeData, MipError, nameIn, parametersAt, partsOf, unitOf } from "mip-protocol/tools";
+import { decodeData, MipError, nameIn, parametersAt, partsOf, Times, unitOf } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
 /** The number of seconds that a plot shows. */
@@ -22,6 +22,11 @@ export class Readings {
     constructor(protocol) {
         this.#protocol = protocol;
         this.#clocks = new Clocks(protocol);
+    }
+
+    /** Reads the times of later packets as those of a device, by its id; of no known device if it is undefined. */
+    set device(device) {
+        this.#clocks = new Clocks(this.#protocol, new Times({ device }));
     }
 
     /** The number of missing samples of all fields. */

@@ -8,7 +8,8 @@ from functools import cached_property
 
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.lower import extent
+from mipgen.lower import extent, validity
+from mipgen.lower.session import session
 
 from . import names
 
@@ -32,6 +33,12 @@ class Field:
     attributes: list[str]  # those that only some fields have, and the required parameters
     rows: list[str]
     places: str  # the sets in which it occurs
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    field: str
+    paths: tuple[str, ...]  # names of the texts that begin with the model number
 
 
 @dataclass(frozen=True)
@@ -68,10 +75,19 @@ class Dissector:
         return [(s, _list(f"[{hexadecimal(n.descriptor)}] = {string(n.title)}" for n in x.named))
                 for s, x in families if x]  # fmt: skip
 
+    @property
+    def groups(self) -> list[tuple[str, ...]]:
+        """The devices that share a reading of flags."""
+        return self.model.derived(_groups)
+
     @cached_property
-    def devices(self) -> list[m.Device]:
-        """The devices with names of values or bits of their own."""
-        return [d for d in self.model.devices if any(v.variant.type for v in d.variants)]
+    def identity(self) -> Identity:
+        """The reply with which a device identifies itself; without a field if the specification has none."""
+        start = session(self.model)
+        if start is None:
+            return Identity("", ())
+        (reply,) = self.model.responses(start.identify)
+        return Identity(reply.full_name, tuple(path.split(".")[-1] for path in start.model_numbers))
 
     @cached_property
     def examples(self) -> list[str]:
@@ -127,7 +143,26 @@ def _meaning(p: m.Parameter, record: m.Record, model: m.Model) -> dict[str, obje
     facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
     doc = " ".join(filter(None, (plain(describe.prose(p.description, model)), *(plain(f.sentence) for f in facts))))
     readings = [lua_table(_reading(v)).replace("{ ", "{", 1) for v in p.variants if v.type]
-    return {"units": _texts(units), "doc": string(doc), "readings": _list(readings) if readings else ""}
+    valid = [_validity(r, model) for r in validity.readings([p], record)]
+    return {
+        "units": _texts(units),
+        "doc": string(doc),
+        "readings": _list(readings) if readings else "",
+        "valid": _list(valid) if valid else "",
+    }
+
+
+def _groups(model: m.Model) -> list[tuple[str, ...]]:
+    records = [*model.fields, *m.structs(model.all_types)]
+    found = {r.devices for record in records for p in record.parameters for r in validity.readings([p], record)}
+    return sorted(found - {()})
+
+
+def _validity(r: validity.Reading, model: m.Model) -> str:
+    """Writes the flags that mark a value as valid: of some devices, or of all others."""
+    group = f"G[{model.derived(_groups).index(r.devices) + 1}]" if r.devices else ""
+    flags = _list(lua_table({"name": string(x.parameter), "mask": lua_number(x.mask)}) for x in r.flags)
+    return lua_table({"devices": group, "fewer": r.fewer or "", "flags": flags})
 
 
 def _reading(v: m.Variant) -> dict[str, object]:
