@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -40,23 +39,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "docs"
 
 
-@pytest.fixture(scope="module")
-def tab() -> Iterator[browser.Page]:
-    with browser.page() as opened:
-        yield opened
-
-
-@pytest.fixture
-def page(tab: browser.Page) -> Iterator[browser.Page]:
-    tab.complaints.clear()
-    tab.asked.clear()
-    tab.open("about:blank")
-    yield tab
-    assert tab.complaints == []
-    assert all(url.startswith(("file://", "about:")) for url in tab.asked)
-
-
 def open_(page: browser.Page, site: Path, path: str) -> None:
+    page.open("about:blank")
     page.open(f"{(site / path.partition('?')[0]).as_uri()}?{path.partition('?')[2]}")
 
 
@@ -145,7 +129,6 @@ def test_differences(page: browser.Page, site: Path) -> None:
     assert [link.rpartition("/")[2] for link in links] == [
         f"{name}.html{address}" for name in ("overview", "data", "rates", "meanings")
     ]
-    page.open("about:blank")
     open_(page, site, f"compare/commands.html{address}")
     assert shown(page) == differing
     page.run("document.querySelector('fieldset button').click()")

@@ -1,14 +1,19 @@
-"""The pages of guides: every packet and answer is there; their programs are run with those of fields."""
+"""The pages of guides: every packet and answer is there; their programs are run with those of fields. The formulas for
+NED, ENU and REP-103, evaluated and compared with rotation matrices."""
 
 from __future__ import annotations
 
+import math
 import re
+from collections.abc import Sequence as Numbers
 from xml.etree import ElementTree
 
 from mipgen.lower import codec
 from mipgen.model.guides import Guide, Sequence
 from mipgen.targets.markdown.snippets import LANGUAGES
-from reference import Manual, path_of, prose, table_with, tables, words
+from random_values import chance
+from reference import Manual, manual_of, path_of, prose, table_with, tables, words
+from rotations import of_euler, of_quaternion, product, times, transposed
 
 Play = tuple[str, Guide, Sequence]
 
@@ -160,3 +165,60 @@ def test_fields_name_their_guides(manual: Manual) -> None:
         for f in [s.command for s in sequence.steps] + [x.field for t in sequence.streams for x in t.fields]:
             told = re.findall(r"^- Guides: (.*)$", manual.page(path_of(f)), re.M)
             assert f"guides/{guide.name}.md)" in told[0], f.full_name
+
+
+# --------------------------------------------------------------------------- frames
+
+#: The axes of the other frame in the frame of MIP, as rows: east, north, up in NED; forward, left, up in the vehicle.
+ENU = (0, 1, 0, 1, 0, 0, 0, 0, -1)
+FLU = (1, 0, 0, 0, -1, 0, 0, 0, -1)
+
+
+def attitude(roll: float, pitch: float, yaw: float) -> tuple[float, ...]:
+    """The matrix from vectors of the vehicle to those of the world."""
+    return transposed(of_euler(roll, pitch, yaw))
+
+
+def quaternion(roll: float, pitch: float, yaw: float) -> tuple[float, ...]:
+    """The quaternion from half angles, as devices send it."""
+    (a, b, c), (d, e, f) = ([g(angle / 2) for angle in (roll, pitch, yaw)] for g in (math.cos, math.sin))
+    return a * b * c + d * e * f, d * b * c - a * e * f, a * e * c + d * b * f, a * b * f - d * e * c
+
+
+def near(a: Numbers[float], b: Numbers[float]) -> bool:
+    return math.dist(a, b) < 1e-11
+
+
+def evaluated(formula: str, **values: float) -> float:
+    """A formula of the page: names, signs, the four operations and pi."""
+    assert re.fullmatch(r"[-+*/(). \w]+", formula)
+    return float(eval(formula, {"__builtins__": {}}, {"pi": math.pi, "sqrt": math.sqrt, **values}))
+
+
+def test_formulas_of_the_pages() -> None:
+    chances = chance("frames")
+    pages = [words(manual_of("real").page(page)) for page in ("guides/axes_and_signs.md", "units.md")]
+    quaternions = [re.search(r"becomes \(([^()]*)\) / sqrt\(2\)", page) for page in pages]
+    yaws = [re.search(r"yaw becomes (pi/2 - yaw)", page) for page in pages]
+    elements = re.search(r"\| ned \|.*?\| (y, x, -z) \|", pages[1])
+    body = re.search(r"\| vehicle \|.*?\| (x, -y, -z) \|", pages[1])
+    assert all(quaternions) and all(yaws) and elements and body
+    assert "east = NED y, north = NED x, up = -NED z" in pages[0] and "x is unchanged, y and z change sign" in pages[0]
+    for _ in range(50):
+        roll, yaw = (chances.uniform(-math.pi, math.pi) for _ in range(2))
+        pitch = chances.uniform(-math.pi / 2, math.pi / 2)
+        ned = attitude(roll, pitch, yaw)
+        w, x, y, z = quaternion(roll, pitch, yaw)
+        assert near(transposed(of_quaternion((w, x, y, z))), ned)
+        wanted = product(product(ENU, ned), transposed(FLU))
+        for found in quaternions:
+            assert found
+            made = [evaluated(part, w=w, x=x, y=y, z=z) / math.sqrt(2) for part in found[1].split(",")]
+            assert math.isclose(sum(q * q for q in made), 1) and near(transposed(of_quaternion(made)), wanted)
+        for found in yaws:
+            assert found
+            assert near(attitude(roll, -pitch, evaluated(found[1], yaw=yaw)), wanted)
+        vector = tuple(chances.uniform(-9, 9) for _ in range(3))
+        for found, axes in ((elements, ENU), (body, FLU)):
+            made = [evaluated(part, **dict(zip("xyz", vector, strict=True))) for part in found[1].split(",")]
+            assert near(made, times(axes, vector))

@@ -9,9 +9,6 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from reference import LINK, Manual, number, places, tables, words
-from support import uses
-
-with_node = uses("node")
 
 ANCHORED = re.compile(r"\]\([^)]*?#([\w.]+)\)")
 
@@ -99,18 +96,14 @@ def test_by_unit(manual: Manual) -> None:
             for unit in {*p.units, *(u for v in p.variants for u in v.units)} if p else ():
                 path = re.sub(r"\[.\]", "", place.path)
                 wanted.add((unit, f.full_name, f"{f.full_name}.{path}"))
-    found = []
+    found, titles = [], {u.symbol: u.title for u in manual.model.protocol.units}
     for part in manual.page("indexes/units.md").split("\n## ")[1:]:
         unit = words(part.partition(": ")[0])
-        assert words(part.partition("\n")[0]) == f"{unit}: {titles(manual)[unit]}"
+        assert words(part.partition("\n")[0]) == f"{unit}: {titles[unit]}"
         for row in (row for t in tables(part) for row in t):
             (field,) = ANCHORED.findall(row["Field"])
             found += [(unit, field, link) for link in ANCHORED.findall(row["Parameters"])]
     assert len(found) == len(set(found)) and set(found) == wanted
-
-
-def titles(manual: Manual) -> dict[str, str]:
-    return {u.symbol: u.title for u in manual.model.protocol.units}
 
 
 def test_by_the_names_of_the_vendor(manual: Manual) -> None:

@@ -9,6 +9,8 @@ import re
 import subprocess
 import sys
 import textwrap
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import crates
@@ -18,27 +20,38 @@ from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from reference import Manual, path_of, small, table_with, words
 from support import SPECS, mypy, need, uses
-from test_reference_guides import Play, plays
+from test_reference_guides import plays
 
 ACKNOWLEDGE = 0xF1
 
-with_node, needs_cpp = uses("node"), uses("g++")
+
+@dataclass(frozen=True)
+class Program:
+    """A program of a page: its imports and its statements."""
+
+    name: str  # of a field or a guide
+    needs: list[str]
+    body: str
+    given: list[bytes]  # replies; packets for one that decodes data, which must reject all but the first
+    of: str  # m.COMMAND, m.DATA or "guide"
 
 
 def asked(manual: Manual) -> list[m.Field]:
     return [f for f in manual.model.fields if f.role != m.RESPONSE]
 
 
-def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
-    """The imports of a program, and its statements."""
-    return shown(manual, path_of(f), manual.page(path_of(f)), f.full_name, language)
-
-
-def program_of_guide(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
-    _, guide, sequence = play
-    number = guide.sequences.index(sequence) + 1
-    path = f"guides/{guide.name}.md"
-    return shown(manual, path, manual.section(path, f"{guide.name}.{number}"), play[0], language)
+def programs(manual: Manual, language: str) -> Iterator[Program]:
+    """Those of all fields and guides."""
+    for f in asked(manual):
+        data = f.role == m.DATA
+        given = [sample(manual, f), *broken(manual, f)] if data else [reply(manual, p) for p in ready(manual, f)]
+        parts = shown(manual, path_of(f), manual.page(path_of(f)), f.full_name, language)
+        yield Program(f.full_name, *parts, given, f.role)
+    for name, guide, sequence in plays(manual):
+        path = f"guides/{guide.name}.md"
+        section = manual.section(path, f"{guide.name}.{guide.sequences.index(sequence) + 1}")
+        answers = [s.answer for s in sequence.steps]
+        yield Program(name, *shown(manual, path, section, name, language), answers, "guide")
 
 
 def shown(manual: Manual, path: str, part: str, name: str, language: str) -> tuple[list[str], str]:
@@ -79,9 +92,11 @@ def reply(manual: Manual, packet: bytes) -> bytes:
 
 
 def questions(manual: Manual) -> dict[str, str]:
-    """Packets of all commands, any of which a program may send, and the replies."""
-    packets = [manual.samples.packet(f, c) for f in asked(manual) if f.role == m.COMMAND for c in f.calls]
-    return {p.hex(): reply(manual, p).hex() for p in packets}
+    """Packets of all commands and guides, any of which a program may send, and the replies."""
+    commands = [f for f in asked(manual) if f.role == m.COMMAND]
+    packets = [manual.samples.packet(f, c) for f in commands for c in f.calls]
+    packets += [p for f in commands for p in ready(manual, f)]
+    return {p.hex(): reply(manual, p).hex() for p in packets} | answers_of_guides(manual)
 
 
 def sample(manual: Manual, f: m.Field) -> bytes:
@@ -150,6 +165,11 @@ def generated(manual: Manual, request: pytest.FixtureRequest) -> Path:
     return SPECS[request.node.callspec.params["manual"]][1]
 
 
+def strings(given: list[bytes]) -> str:
+    """The initializer of an array in C."""
+    return ", ".join(['"' + x.hex() + '"' for x in given] + ['""'])
+
+
 # --------------------------------------------------------------------------- C
 
 C_HEAD = """
@@ -209,39 +229,28 @@ if (!mip_walk_next(&walk, &field)) {
 @small
 def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
     includes, functions, calls = {'#include "mip/device.h"'}, [], []
-    for f in asked(manual):
-        needs, body = program(manual, f, "c")
-        includes |= set(needs)
-        takes, begin, end, given = "void", "", "done = true;", [""]
-        if f.role == m.COMMAND:
-            body += "\nif (!mip_succeeded(result)) { puts(mip_result_reason(result)); return; }"
-            texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in ready(manual, f))
-            calls.append(f'static const char *const a_{len(calls)}[] = {{{texts}, ""}}; answers = a_{len(calls)};')
-        else:
-            body = body.replace("printf(", "done = true; printf(")
-            takes, begin, end = "const char *hex", DATA, 'if (!done) { printf("%s refused\\n", name); }'
-            given = [f'"{p.hex()}"' for p in (sample(manual, f), *broken(manual, f))]
-            calls.append("")
+    for p in programs(manual, "c"):
+        includes |= set(p.needs)
         name = f"f_{len(functions)}"
-        body = body.replace("printf(", "fprintf(stderr, ")
-        functions.append(f"static void {name}({takes}) {{ {begin}\n{body}\n{end} }}\n")
-        run_ = " ".join(f'done = false; {name}({x}); if (done) printf("%s done\\n", name);' for x in given)
-        calls[-1] = f'{{ name = "{f.full_name}"; {calls[-1]} {run_} }}'
-    for play in plays(manual):
-        needs, body = program_of_guide(manual, play, "c")
-        includes |= set(needs)
-        assert f"struct mip_result {play[0]}(struct mip_device *device)" in body
-        functions.append("static " + body)
-        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
-        calls.append(
-            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
-            f'done = mip_succeeded({play[0]}(device)); if (done) printf("%s done\\n", name); }}'
-        )
+        if p.of == "guide":
+            assert f"struct mip_result {p.name}(struct mip_device *device)" in p.body
+            functions.append("static " + p.body)
+            runs = [f"done = mip_succeeded({p.name}(device));"]
+        elif p.of == m.COMMAND:
+            body = p.body.replace("printf(", "fprintf(stderr, ")
+            refused = "if (!mip_succeeded(result)) { puts(mip_result_reason(result)); return; }"
+            functions.append(f"static void {name}(void) {{ \n{body}\n{refused} done = true; }}\n")
+            runs = [f"{name}();"]
+        else:
+            body = p.body.replace("printf(", "done = true; fprintf(stderr, ")
+            refused = 'if (!done) { printf("%s refused\\n", name); }'
+            functions.append(f"static void {name}(const char *hex) {{ {DATA}\n{body}\n{refused} }}\n")
+            runs = [f'{name}("{x.hex()}");' for x in p.given]
+        begin = f'static const char *const a[] = {{{strings(p.given)}}}; answers = a; name = "{p.name}";'
+        calls += [f'{{ {begin} done = false; {x} if (done) printf("%s done\\n", name); }}' for x in runs]
     source = tmp_path / "programs.c"
-    begin_ = "mip_device_init(device, &port, 0, NULL);"
-    source.write_text(
-        "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin_, *calls, "return 0; }"]), "utf-8"
-    )
+    main = ["int main(void) {", "mip_device_init(device, &port, 0, NULL);", *calls, "return 0; }"]
+    source.write_text("\n".join([*sorted(includes), C_HEAD, *functions, *main]), "utf-8")
     flags = ["-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
     library = sorted((generated / "c/src/mip").glob("*/*.c"))
     run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "programs")
@@ -263,42 +272,33 @@ static mip::device<> device_cpp(port_);
 """
 
 
-@needs_cpp
+@uses("g++")
 @small
 def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> None:
     includes, functions, calls = {'#include "mip/cpp/device.hpp"'}, [], []
-    for f in asked(manual):
-        needs, body = program(manual, f, "cpp")
-        includes |= set(needs)
-        name, what = f"f_{len(functions)}", f'"{f.full_name}"'
-        if f.role == m.COMMAND:
-            body = body.replace("std::cout", "std::cerr")
+    for p in programs(manual, "cpp"):
+        includes |= set(p.needs)
+        name = f"f_{len(functions)}"
+        if p.of == "guide":
+            functions.append("static " + p.body)
+            runs = [f"done = bool({p.name}(device_cpp));"]
+        elif p.of == m.COMMAND:
+            body = p.body.replace("std::cout", "std::cerr")
             for result in re.findall(r"const auto (result|answer) =", body):
                 body += f'\nif (!{result}) {{ printf("%s\\n", {result}.reason().data()); return; }}'
-            packets = ready(manual, f)
-            texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in packets)
             functions.append(f"static void {name}() {{ auto &device = device_cpp;\n{body}\ndone = true; }}\n")
-            given = [f'static const char *const a[] = {{{texts}, ""}}; answers = a; {name}();']
+            runs = [f"{name}();"]
         else:
-            body = body.replace("std::cout", "done = true; std::cerr")
-            body += '\nif (!done) { printf("%s refused\\n", name); }'
-            functions.append(f"static void {name}(const mip::field &field) {{\n{body}\n}}\n")
-            given = [
-                f'{{ const size_t n = bytes_of("{p.hex()}", buffer); const auto p = *mip::packet::from({{buffer, n}});'
+            body = p.body.replace("std::cout", "done = true; std::cerr")
+            refused = 'if (!done) { printf("%s refused\\n", name); }'
+            functions.append(f"static void {name}(const mip::field &field) {{\n{body}\n{refused}\n}}\n")
+            runs = [
+                f'{{ const size_t n = bytes_of("{x.hex()}", buffer); const auto p = *mip::packet::from({{buffer, n}});'
                 f' auto at = p.begin(); if (at == p.end()) printf("%s refused\\n", name); else {name}(*at); }}'
-                for p in (sample(manual, f), *broken(manual, f))
+                for x in p.given
             ]
-        end = 'if (done) printf("%s done\\n", name);'
-        calls += [f"{{ name = {what}; done = false; {x} {end} }}" for x in given]
-    for play in plays(manual):
-        needs, body = program_of_guide(manual, play, "cpp")
-        includes |= set(needs)
-        functions.append("static " + body)
-        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
-        calls.append(
-            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
-            f'if ({play[0]}(device_cpp)) printf("%s done\\n", name); }}'
-        )
+        begin = f'static const char *const a[] = {{{strings(p.given)}}}; answers = a; name = "{p.name}";'
+        calls += [f'{{ {begin} done = false; {x} if (done) printf("%s done\\n", name); }}' for x in runs]
     main = ["int main() {", "uint8_t buffer[MIP_MAX_PACKET];", *calls, "return 0; }"]
     for x in sorted((generated / "c/src/mip").glob("*/*.c")):
         run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", tmp_path / f"{x.stem}.o")
@@ -306,16 +306,8 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
     source = tmp_path / "programs.cpp"
     parts = [*sorted(includes), "#include <iostream>", head, CPP_HEAD, *functions, *main]
     source.write_text("\n".join(parts), "utf-8")
-    flags = [
-        "-std=c++17",
-        "-pedantic-errors",
-        "-O0",
-        "-Wall",
-        "-Wextra",
-        "-Werror",
-        "-Wno-unused",
-        f"-I{generated}/c/src",
-    ]
+    flags = ["-std=c++17", "-pedantic-errors", "-O0", "-Wall", "-Wextra", "-Werror", "-Wno-unused"]
+    flags.append(f"-I{generated}/c/src")
     if generated == SPECS["real"][1]:
         run(need("clang++"), *flags, "-fsyntax-only", source)
     run(need("g++"), *flags, source, *sorted(tmp_path.glob("*.o")), "-o", tmp_path / "programs")
@@ -366,26 +358,20 @@ class Source:
 """
 
 
+def called(p: Program) -> list[str]:
+    """What a program in Python or JavaScript is called with."""
+    return [f'source("{x.hex()}")' for x in p.given] if p.of == m.DATA else ["device"]
+
+
 @small
 def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    functions, calls, answers = [], [], {}
-    for f in asked(manual):
-        needs, body = program(manual, f, "python")
+    functions, calls = [], []
+    for p in programs(manual, "python"):
         name = f"f_{len(functions)}"
-        lines = textwrap.indent("\n".join([*needs, body]), "    ")
+        lines = textwrap.indent("\n".join([*p.needs, p.body]), "    ")
         functions.append(f"def {name}(device: Device) -> None:\n{lines}\n")
-        if f.role == m.COMMAND:
-            answers.update({p.hex(): reply(manual, p).hex() for p in ready(manual, f)})
-            given = ["device"]
-        else:
-            given = [f'source("{p.hex()}")' for p in (sample(manual, f), *broken(manual, f))]
-        calls.append(f'    name = "{f.full_name}"\n')
-        calls += [f"    attempt({name}, {device})\n" for device in given]
-    for play in plays(manual):
-        needs, body = program_of_guide(manual, play, "python")
-        lines = textwrap.indent("\n".join([*needs, body]), "    ")
-        functions.append(f"def {play[0]}(device: Device) -> None:\n{lines}\n")
-        calls.append(f'    name = "{play[0]}"\n    attempt({play[0]}, device)\n')
+        calls.append(f'    name = "{p.name}"\n')
+        calls += [f"    attempt({name}, {device})\n" for device in called(p)]
     main = (
         "def source(packet: str) -> Any:\n    return Source(packet)\n\n\n"
         "def attempt(program: Any, device: Any) -> None:\n"
@@ -397,8 +383,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     )
     path = tmp_path / "programs.py"
     path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
-    answers = {**questions(manual), **answers, **answers_of_guides(manual)}
-    (tmp_path / "answers.json").write_text(json.dumps(answers))
+    (tmp_path / "answers.json").write_text(json.dumps(questions(manual)))
     done = subprocess.run(
         [sys.executable, path, tmp_path / "answers.json"],
         env={**os.environ, "PYTHONPATH": str(generated / "python")}, capture_output=True, text=True, check=False,
@@ -454,27 +439,20 @@ def rust_bytes(data: bytes) -> str:
 @small
 def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
-    for f in asked(manual):
-        needs, body = program(manual, f, "rust")
-        lines = "\n".join([*needs, body])
-        name = f"f_{len(functions)}"
-        if f.role == m.COMMAND:
-            functions.append(f"fn {name}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
-            answers = ", ".join(rust_bytes(reply(manual, p)) for p in ready(manual, f))
-            calls.append(f'{name}(table("{f.full_name}", &[{answers}])).unwrap(); eprintln!("{f.full_name} done");')
-        else:
-            seen = lines.rstrip().removesuffix("}") + f'eprintln!("{f.full_name} done");\n}}'
-            assert lines.count("}\n") == 1 or lines.endswith("}\n")
+    for p in programs(manual, "rust"):
+        name, lines = f"f_{len(functions)}", "\n".join([*p.needs, p.body])
+        if p.of == m.DATA:
+            seen = lines.rstrip().removesuffix("}") + f'eprintln!("{p.name} done");\n}}'
+            assert lines.rstrip().endswith("}")
             functions.append(f"fn {name}(packet: Packet) -> Result<(), DecodeError> {{\n{seen}\nOk(())\n}}")
-            calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap()).unwrap();")
-            refused = f'.unwrap()).is_err() {{ eprintln!("{f.full_name} refused"); }}'
-            calls += [f"if {name}(Packet::new({rust_bytes(p)}){refused}" for p in broken(manual, f)]
-    for play in plays(manual):
-        needs, body = program_of_guide(manual, play, "rust")
-        lines = "\n".join([*needs, body])
-        functions.append(f"fn {play[0]}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
-        answers = ", ".join(rust_bytes(s.answer) for s in play[2].steps)
-        calls.append(f'{play[0]}(table("{play[0]}", &[{answers}])).unwrap(); eprintln!("{play[0]} done");')
+            good, *bad = map(rust_bytes, p.given)
+            calls.append(f"{name}(Packet::new({good}).unwrap()).unwrap();")
+            refused = f'.unwrap()).is_err() {{ eprintln!("{p.name} refused"); }}'
+            calls += [f"if {name}(Packet::new({x}){refused}" for x in bad]
+        else:
+            functions.append(f"fn {name}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
+            answers = ", ".join(map(rust_bytes, p.given))
+            calls.append(f'{name}(table("{p.name}", &[{answers}])).unwrap(); eprintln!("{p.name} done");')
     source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
     target = '[[bin]]\nname = "reference"\npath = "reference.rs"\ntest = false\n'
     spec = request.node.callspec.params["manual"]
@@ -535,32 +513,18 @@ const device = await opened();
 """
 
 
-@with_node
+@uses("node")
 @small
 def test_programs_in_javascript(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    programs, answers = [], {}
-    for f in asked(manual):
-        needs, body = program(manual, f, "javascript")
-        if f.role == m.COMMAND:
-            answers.update({p.hex(): reply(manual, p).hex() for p in ready(manual, f)})
-            given = ["device"]
-        else:
-            given = [f'source("{p.hex()}")' for p in (sample(manual, f), *broken(manual, f))]
-        programs.append((f.full_name, "\n".join([*needs, "", body]), given))
-    for play in plays(manual):
-        needs, body = program_of_guide(manual, play, "javascript")
-        programs.append((play[0], "\n".join([*needs, "", body]), ["device"]))
-    answers = {**questions(manual), **answers, **answers_of_guides(manual)}
-    (tmp_path / "answers.json").write_text(json.dumps(answers))
+    (tmp_path / "answers.json").write_text(json.dumps(questions(manual)))
     (tmp_path / "node_modules").mkdir()
     (tmp_path / "node_modules/mip-protocol").symlink_to(generated / "javascript")
     main = [JS_HEAD]
-    for i, (name, text, devices) in enumerate(programs):
-        first, _, body = text.partition("\n\n")
-        inner = textwrap.indent(body, "    ")
-        (tmp_path / f"program_{i}.mjs").write_text(f"{first}\nexport async function program(device) {{\n{inner}\n}}\n")
-        main.append(f'name = "{name}";')
-        main += [f'await attempt((await import("./program_{i}.mjs")).program, {device});' for device in devices]
+    for i, p in enumerate(programs(manual, "javascript")):
+        needs, inner = "\n".join(p.needs), textwrap.indent(p.body, "    ")
+        (tmp_path / f"program_{i}.mjs").write_text(f"{needs}\nexport async function program(device) {{\n{inner}\n}}\n")
+        main.append(f'name = "{p.name}";')
+        main += [f'await attempt((await import("./program_{i}.mjs")).program, {device});' for device in called(p)]
     main.append("await device.close();")
     (tmp_path / "main.mjs").write_text("\n".join(main), "utf-8")
     done = subprocess.run([need("node"), "main.mjs"], cwd=tmp_path, capture_output=True, text=True, check=False)

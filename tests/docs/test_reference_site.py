@@ -11,11 +11,9 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import TypeVar
 from urllib.parse import unquote
 
 import browser
@@ -32,10 +30,7 @@ from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, r
 from workbench import workbench
 
 pytestmark = [pytest.mark.xdist_group("site"), uses("npm")]  # the site is built once, with the workbench
-Test = TypeVar("Test", bound=Callable[..., None])
 each_spec = pytest.mark.parametrize("spec", ["invented", REAL])
-
-
 in_browser = heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
@@ -273,19 +268,6 @@ def test_text_of_pages_is_found_and_collections_are_not_first() -> None:
 
 
 # --------------------------------------------------------------------------- in a browser
-
-
-@pytest.fixture(scope="module")
-def page() -> Iterator[browser.Page]:
-    """No network: anything that is not on disk is missed."""
-    with browser.page() as opened:
-        opened.call(
-            "Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1
-        )
-        yield opened
-        assert opened.complaints == []
-        asked = [url for url in opened.asked if not url.startswith(("data:", "about:"))]
-        assert asked and all(url.startswith("file://") for url in asked), asked
 
 
 def go(page: browser.Page, address: str, spec: str = "real") -> None:
