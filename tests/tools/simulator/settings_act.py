@@ -14,8 +14,7 @@ from mip_simulator.streams.values import encoder
 from mip_tools.devices import facts
 from mip_tools.devices.checks import NOTHING
 from mip_tools.devices.codes import SETS as FUNCTIONS
-from simulated_world import SETS, TYPES
-from simulator_host import Host
+from simulated import SETS, TYPES, Host
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs/simulate-reference.md"

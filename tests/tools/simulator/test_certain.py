@@ -8,7 +8,7 @@ from mip_protocol.devices import Support
 from mip_simulator import VirtualDevice
 from mip_tools import __main__
 from mip_tools.devices.profiles import assumed_rates, certain
-from simulator_host import Host
+from simulated import Host
 
 IDS = list(devices.DEVICES)
 

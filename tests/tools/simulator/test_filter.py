@@ -13,18 +13,11 @@ from mip_simulator import VirtualDevice
 from mip_simulator.motion import Circle, Standing
 from mip_tools.geometry.attitude import euler
 from mip_tools.geometry.earth import radii
-from simulated_world import SETS, TYPES
-from simulator_host import Host
+from simulated import TYPES, Host, show
 
 CV7 = "3dm-cv7-gnss-ins"
 INIT, VERTICAL_GYRO, AHRS, FULL_NAV = 1, 2, 3, 4
 STABLE, CONVERGING, HEADING, POSITION, VELOCITY, NO_PULSE = 1, 2, 8, 16, 32, 1024
-
-
-def show(device: VirtualDevice, name: str) -> Any:
-    """A data field at this time."""
-    kind = TYPES[name]
-    return kind.decode(device.encoder(SETS[name], kind.DESCRIPTOR)()[0].data)
 
 
 def state(device: VirtualDevice) -> int:
@@ -140,6 +133,11 @@ def errors(device: VirtualDevice) -> list[float]:
     return [x / d for x, d in zip(wrong, deviations, strict=True)]
 
 
+def aiding_of(device: VirtualDevice) -> list[Any]:
+    kind: Any = TYPES["filter_data.aiding_measurement_summary"]
+    return [kind.decode(x.data) for x in device.encoder(0x82, 0x46)()]
+
+
 @pytest.mark.parametrize("gnss", [True, False])
 def test_errors_are_as_large_as_the_uncertainties(gnss: bool) -> None:
     """The mean square of ten devices, each with errors of its own, in an outage, too."""
@@ -167,8 +165,7 @@ def test_an_outage_of_gnss_and_the_recovery() -> None:
     assert state(device) == FULL_NAV and flags(device) == CONVERGING | POSITION | VELOCITY | NO_PULSE
     assert show(device, "gnss_1.fix_info").fix_type.name == "FIX_NONE"
     assert show(device, "gnss_1.llh_position").valid_flags == 0
-    aids = [TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in device.encoder(0x82, 0x46)()]
-    assert all(not a.indicator.USED & a.indicator for a in aids if a.type.name in ("GNSS", "DUAL_ANTENNA"))
+    assert all(not a.indicator.USED & a.indicator for a in aiding_of(device) if a.type.name in ("GNSS", "DUAL_ANTENNA"))
     device.world.gnss = True
     device.advance(60)
     assert flags(device) == STABLE and show(device, "filter_data.llh_position_uncertainty").north < 1
@@ -180,12 +177,7 @@ def test_aiding_that_is_switched_off_is_not_used() -> None:
     for source in (0, 1, 4):
         host.ok(commands.AidingMeasurementEnable.write(source, False))
     host.device.advance(600)
-    aids = {
-        (a.type.name, a.source): int(a.indicator)
-        for a in (
-            TYPES["filter_data.aiding_measurement_summary"].decode(x.data) for x in host.device.encoder(0x82, 0x46)()
-        )
-    }
+    aids = {(a.type.name, a.source): int(a.indicator) for a in aiding_of(host.device)}
     assert aids["GNSS", 1] == aids["DUAL_ANTENNA", 0] == 0
     assert flags(host.device) & POSITION
     host.ok(commands.AidingMeasurementEnable.default(0))

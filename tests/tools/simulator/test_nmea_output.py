@@ -11,7 +11,7 @@ from mip_protocol.types import NmeaMessage, NmeaMessageId, NmeaTalkerId
 from mip_simulator.motion import Circle, Standing
 from mip_simulator.streams import nmea
 from mip_tools.sentences import nmea_checksum
-from simulated_world import Shown
+from simulated import Shown
 
 SENSOR, FILTER, GNSS_1, GNSS_2 = 0x80, 0x82, 0x91, 0x92
 FREE = {"GGA", "GLL", "RMC", "VTG", "HDT", "GST"}  # of any source but the sensor

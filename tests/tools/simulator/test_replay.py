@@ -11,7 +11,7 @@ from mip_protocol import PacketBuilder
 from mip_simulator.motion import Circle, Motion, MotionError, Replay, Standing, parse_motion
 from mip_simulator.surroundings.surroundings import START
 from mip_tools.geometry.earth import WEEK
-from simulated_world import SETS, TYPES, Shown
+from simulated import SETS, TYPES, Shown
 
 SECOND = 10**9
 MOTION = ["filter_data.llh_position", "filter_data.ned_velocity", "filter_data.attitude_quaternion"]

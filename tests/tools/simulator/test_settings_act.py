@@ -26,7 +26,7 @@ from settings_act import (
     row,
     without_effect,
 )
-from simulator_host import Host
+from simulated import Host
 from support import model
 
 

@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 from mip_protocol import base, devices, mip_3dm
 from mip_protocol.base import GpsTimeField
 from mip_simulator import ScriptedEvent, VirtualDevice
 from mip_simulator.surroundings.surroundings import START
-from simulated_world import SETS, TYPES
-from simulator_host import Host
+from simulated import Host, show
 
 WEEK = START // (604_800 * 10**9)
 #: Pulse, time initialized, time of week and week valid: bit 1 toggles.
 FIVE_BITS, THREE_BITS, TOGGLES = 0x1D, 0x05, 0x02
 
 
-def shown(device: VirtualDevice, name: str) -> Any:
-    (raw,) = device.encoder(SETS[name], TYPES[name].DESCRIPTOR)()
-    return TYPES[name].decode(raw.data)
-
-
 def flags(device: VirtualDevice, name: str = "shared.gps_timestamp") -> int:
-    return int(shown(device, name).valid_flags)
+    return int(show(device, name).valid_flags)
 
 
 def update(host: Host, *fields: GpsTimeField) -> None:
@@ -52,7 +44,7 @@ def update(host: Host, *fields: GpsTimeField) -> None:
 def test_flags_and_times_follow_the_source(name: str, sync: bool | None, field: str, expected: int) -> None:
     device = VirtualDevice(name, sync=sync)
     device.advance(1.25)
-    stamp = shown(device, field)
+    stamp = show(device, field)
     assert int(stamp.valid_flags) & ~(TOGGLES if field == "sensor.gps_timestamp" else 0) == expected
     if hasattr(stamp, "tow"):
         nothing = 0.0 if field.startswith("gnss") else 1.25
@@ -67,19 +59,19 @@ def test_the_host_sets_the_time() -> None:
     assert not flags(old.device, "sensor.gps_timestamp") & THREE_BITS, "only the week"
     update(old, both[1])
     assert flags(old.device, "sensor.gps_timestamp") & THREE_BITS == 4, "there is no pulse"
-    assert shown(old.device, "sensor.gps_timestamp").week_number == 2400
+    assert show(old.device, "sensor.gps_timestamp").week_number == 2400
     update(new, *both)
     assert flags(new.device) == 0
     new.ok(mip_3dm.PpsSourceControl.write(4))
-    assert shown(new.device, "system_data.time_sync_status").time_sync and flags(new.device) == 0, "a new source"
+    assert show(new.device, "system_data.time_sync_status").time_sync and flags(new.device) == 0, "a new source"
     update(new, both[1])
     assert flags(new.device) == 1, "only the time of week"
     update(new, both[0])
     assert flags(new.device) == 3 and flags(new.device, "shared.external_timestamp") == 1
-    assert shown(new.device, "shared.gps_timestamp").week_number == 2400
+    assert show(new.device, "shared.gps_timestamp").week_number == 2400
     new.ok(base.SoftReset())
     new.device.advance(1)
-    assert flags(new.device) == 0 and shown(new.device, "shared.gps_timestamp").week_number == 0
+    assert flags(new.device) == 0 and show(new.device, "shared.gps_timestamp").week_number == 0
 
 
 @pytest.mark.parametrize("name, sync", [("3dm-cv7-gnss-ins", None), ("3dm-cv7-ahrs", True)])
@@ -87,7 +79,7 @@ def test_without_a_pulse_there_is_no_valid_time(name: str, sync: bool | None) ->
     host = Host(VirtualDevice(name, sync=sync))
     host.ok(mip_3dm.PpsSourceControl.write(0))
     assert flags(host.device) == flags(host.device, "shared.external_timestamp") == 0
-    assert not shown(host.device, "system_data.time_sync_status").time_sync
+    assert not show(host.device, "system_data.time_sync_status").time_sync
     host.ok(mip_3dm.PpsSourceControl.default())
     assert flags(host.device) == 3
 
@@ -99,7 +91,7 @@ def test_a_receiver_sets_the_time_at_its_first_fix() -> None:
     times = []
     for _ in range(10):
         device.advance(1)
-        stamp = shown(device, "sensor.gps_timestamp")
+        stamp = show(device, "sensor.gps_timestamp")
         times.append((stamp.week_number, stamp.tow, int(stamp.valid_flags) & ~TOGGLES))
     assert times[3:5] == [(0, 4.0, 0), (WEEK, 5.0, THREE_BITS)]
     assert times[8] == (WEEK, 9.0, 4), "the clock runs on without the pulse"

@@ -19,7 +19,7 @@ from mip_simulator.world.world import World
 from mip_tools.devices import facts
 from mip_tools.devices.names import value_named
 from random_values import chance
-from simulated_world import SETS, TYPES, profile
+from simulated import SETS, TYPES, profile
 from support import model, rounds
 
 PROFILES = list(devices.DEVICES.values())

@@ -1,16 +1,27 @@
-"""Data fields agree with each other and with the motion: attitude, motion, surroundings, time."""
+"""Data fields agree with each other and with the motion, in attitude, motion, surroundings, time, GNSS and noise; at
+rest, they have the values that the specification states."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import astuple, is_dataclass
 from datetime import datetime, timedelta
 from math import atan2, cos, degrees, dist, hypot, isclose, pi, radians, sin, sqrt
+from random import Random
 from typing import Any
 
 import pytest
+from mip_protocol import filter_data, mip_3dm, sensor
+from mip_simulator import VirtualDevice
 from mip_simulator.motion import Circle, Motion, Standing
+from mip_simulator.surroundings.noise import Noise
 from mip_simulator.surroundings.surroundings import START
+from mip_tools.devices.facts import NOISE
 from mip_tools.geometry import earth
-from simulated_world import Shown
+from mipgen import model as m
+from rotations import of_euler, of_quaternion, product, times, transposed
+from simulated import Host, Shown
+from support import model
 
 G = 9.80665
 FLOAT = 1.2e-7  # relative error of a float of four bytes, twice the error of rounding
@@ -37,51 +48,12 @@ def shown(request: pytest.FixtureRequest, turn: Any) -> Shown:
     return found
 
 
-def times(m: Any, v: Any) -> tuple[float, ...]:
-    return tuple(sum(m[3 * i + j] * v[j] for j in range(3)) for i in range(3))
-
-
-def transposed(m: Any) -> tuple[float, ...]:
-    return tuple(m[3 * j + i] for i in range(3) for j in range(3))
-
-
-def product(a: Any, b: Any) -> tuple[float, ...]:
-    return tuple(sum(a[3 * i + k] * b[3 * k + j] for k in range(3)) for i in range(3) for j in range(3))
-
-
 def close(a: Any, b: Any, scale: float) -> bool:
     """Equal up to the rounding of floats of this size."""
     return dist(a, b) <= scale * 2 * FLOAT
 
 
 # --------------------------------------------------------------------------- attitude
-
-
-def of_euler(roll: float, pitch: float, yaw: float) -> tuple[float, ...]:
-    """The matrix from NED to the vehicle, as rotations about one axis after the other."""
-    cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
-    about_x = (1, 0, 0, 0, cr, sr, 0, -sr, cr)
-    about_y = (cp, 0, -sp, 0, 1, 0, sp, 0, cp)
-    about_z = (cy, sy, 0, -sy, cy, 0, 0, 0, 1)
-    return product(about_x, product(about_y, about_z))
-
-
-def of_quaternion(q: Any) -> tuple[float, ...]:
-    """The matrix of v -> q^-1 * v * q, a unit vector at a time."""
-    columns = [_turned(q, v) for v in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
-    return tuple(columns[j][i] for i in range(3) for j in range(3))
-
-
-def _turned(q: Any, v: Any) -> Any:
-    def hamilton(a: Any, b: Any) -> Any:
-        (p, x, y, z), (r, i, j, k) = a, b
-        return (
-            p * r - x * i - y * j - z * k, p * i + x * r + y * k - z * j,
-            p * j - x * k + y * r + z * i, p * k + x * j - y * i + z * r,
-        )  # fmt: skip
-
-    inverse = (q[0], -q[1], -q[2], -q[3])
-    return hamilton(hamilton(inverse, (0, *v)), q)[1:]
 
 
 def test_attitude(shown: Shown) -> None:
@@ -333,3 +305,220 @@ def test_the_time_can_be_set() -> None:
     shown.world.set_gps(tow=1000)
     s = shown("shared.gps_timestamp")
     assert (s.week_number, s.tow) == (2300, 1000.25)
+
+
+# --------------------------------------------------------------------------- GNSS
+
+
+def test_dilution_of_precision() -> None:
+    """The parts add up."""
+    d = Shown(Standing())("gnss_1.dop")
+    for whole, parts in (("gdop", ("pdop", "tdop")), ("pdop", ("hdop", "vdop")), ("hdop", ("ndop", "edop"))):
+        assert isclose(getattr(d, whole), hypot(*(getattr(d, part) for part in parts)), rel_tol=1e-2)
+
+
+def test_satellites_are_numbered() -> None:
+    shown = Shown(Standing())
+    status = shown.all("gnss_1.satellite_status")
+    assert [s.index for s in status] == list(range(1, 21)) and {s.count for s in status} == {20}
+    assert shown("gnss_1.fix_info").num_sv == 20 and len(shown.all("gnss_2.raw")) == 20
+    shown.world.gnss = False
+    assert shown.all("gnss_1.satellite_status") == [] and shown("gnss_1.fix_info").num_sv == 0
+
+
+def test_the_receiver_clock_swings() -> None:
+    """Its drift is the rate of its bias; a year later it is no farther away."""
+    shown = Shown(Standing())
+    for t in (1.0, 40_000.0, 365 * 86_400.0 + 3):
+        a, b = (shown.at(t + d)("gnss_1.clock_info_2") for d in (-50, 50))
+        drift = shown.at(t)("gnss_1.clock_info_2").drift
+        assert isclose((b.bias - a.bias) / 100, drift, abs_tol=1e-13) and abs(a.bias) <= 1e-4
+    assert shown("gnss_2.clock_info_2").bias != shown("gnss_1.clock_info_2").bias
+    corrections = shown.all("filter_data.clock_correction")
+    assert [c.receiver_id for c in corrections] == [1, 2]
+    assert [c.bias for c in corrections] == pytest.approx(
+        [shown(f"gnss_{i}.clock_info_2").bias for i in (1, 2)], rel=1e-6
+    )
+
+
+# --------------------------------------------------------------------------- at rest
+
+
+def stated() -> Iterator[tuple[str, m.Field, m.Parameter]]:
+    for f in model("real").fields:
+        for p in f.parameters:
+            if p.at_rest and f.role == m.DATA:
+                yield f"{f.name_in(f.sets[-1])}.{p.name}", f, p
+
+
+def numbers(value: Any) -> list[float]:
+    """The elements of a vector, or the number."""
+    if isinstance(value, (int, float)):
+        return [value]
+    return list(astuple(value)) if is_dataclass(value) and not isinstance(value, type) else list(value)
+
+
+@pytest.mark.parametrize("heading", [0.0, 60.0, -150.0])
+def test_what_a_level_device_at_rest_shows(heading: float) -> None:
+    """To half a percent, as gravity depends on the place."""
+    shown, wrong = Shown(Standing(heading=heading)).at(20.0), []
+    for name, f, p in stated():
+        set_name = name.split(".")[0]
+        value = numbers(getattr(shown(f"{set_name}.{f.name}"), p.name))
+        for element, got, want in zip(p.elements or ("",), value, p.at_rest, strict=True):
+            if want is not None and abs(got - want) > 0.005 * max(abs(want), 0.02):
+                wrong.append(f"{name}.{element}: {got:g}, stated {want}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_physical_quantities_state_it() -> None:
+    found = {name for name, _, _ in stated()}
+    assert found >= {
+        "sensor.scaled_accel.scaled_accel", "sensor.scaled_gyro.scaled_gyro", "filter_data.comp_accel.accel",
+        "filter_data.gravity_vector.gravity", "filter_data.euler_angles.roll", "filter_data.attitude_dcm.dcm",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("motion", "name", "sign"),
+    [
+        (Standing(roll=10), "roll", 1), (Standing(pitch=10), "pitch", 1), (Standing(heading=10), "yaw", 1),
+    ],
+)  # fmt: skip
+def test_signs_of_angles_are_those_of_the_axes(motion: Standing, name: str, sign: int) -> None:
+    """Right side down, nose up, clockwise: gravity, which points down, shows itself on y and z, or x and z."""
+    shown = Shown(motion).at(20.0)
+    angles, gravity = shown("filter_data.euler_angles"), numbers(shown("filter_data.gravity_vector").gravity)
+    assert getattr(angles, name) * sign == pytest.approx(0.17453, abs=1e-3)
+    x, y, _ = gravity
+    assert (y > 1) == (name == "roll") and (x < -1) == (name == "pitch")
+
+
+# --------------------------------------------------------------------------- noise
+
+GYRO = "measured.angular_rate"
+
+
+def allan(integrals: list[float], step: float, steps: int) -> float:
+    """The overlapping Allan deviation at `steps` steps, of rates whose integrals are given."""
+    x, n, t = integrals, steps, step * steps
+    squares = [(x[i + 2 * n] - 2 * x[i + n] + x[i]) ** 2 for i in range(len(x) - 2 * n)]
+    return sqrt(sum(squares) / len(squares) / 2) / t
+
+
+def test_white_noise_has_its_allan_deviation() -> None:
+    """The density divided by the square root of the time, whatever the steps are."""
+    figures = NOISE[GYRO]
+    for step in (0.001, 0.1):
+        noise = Noise(3, Random(5), **figures)
+        rows = [noise.integral(round(i * step * 1e9)) for i in range(6000)]
+        for steps in (1, 10):
+            found = sum(allan(list(axis), step, steps) for axis in zip(*rows)) / 3
+            assert found == pytest.approx(figures["density"] / sqrt(step * steps), rel=0.1)
+
+
+def test_drift_has_its_allan_deviation() -> None:
+    """The Allan deviation of a Gauss-Markov process peaks at 1.89 of its correlation time, at 0.618 of its sigma."""
+    noise = Noise(3, Random(1), 1e-9, drift=4e-5, period=200.0)
+    step = 37.8
+    rows = [noise.integral(round(i * step * 1e9)) for i in range(12000)]
+    found = sum(allan(list(axis), step, 10) for axis in zip(*rows)) / 3
+    assert found == pytest.approx(0.618 * 4e-5, rel=0.1)
+
+
+def test_rates_and_deltas_agree() -> None:
+    """At rest, a delta is the rate of the same sample times the interval, noise and bias included."""
+    shown = Shown(Standing(), exact=False, seed=3)
+    for i in range(1, 50):
+        shown.at(i * 0.02 + (i % 3) * 0.001)
+        rate, delta = shown("sensor.scaled_gyro").scaled_gyro, shown("sensor.delta_theta").delta_theta
+        force, change = shown("sensor.scaled_accel").scaled_accel, shown("sensor.delta_velocity").delta_velocity
+        raw = shown("sensor.raw_gyro").raw_gyro
+        if i > 1:
+            passed = 0.02 + ((i % 3) - (i - 1) % 3) * 0.001
+            assert dist([x * passed for x in rate], delta) < 1e-9
+            assert dist([x * passed for x in force], change) < 1e-7
+            assert dist([x / 5000 for x in raw], rate) < 1e-7
+
+
+def spread(device: VirtualDevice, decimation: int) -> float:
+    """The standard deviation of the angular rate at 1000 Hz divided by a decimation."""
+    host = Host(device)
+    host.stream(0x80, (sensor.ScaledGyro, decimation))
+    rates = [x.scaled_gyro for x in host.received(600 * decimation / 1000, sensor.ScaledGyro)]
+    means = [sum(axis) / len(rates) for axis in zip(*rates)]
+    return sqrt(sum(hypot(*(x - m for x, m in zip(rate, means))) ** 2 for rate in rates) / len(rates) / 3)
+
+
+@pytest.mark.parametrize("decimation", [1, 10, 40])
+def test_noise_follows_the_rate(decimation: int) -> None:
+    """The bandwidth is half the rate of the field."""
+    found = spread(VirtualDevice("3dm-cv7-gnss-ins", seed=2), decimation)
+    assert found == pytest.approx(NOISE[GYRO]["density"] * sqrt(1000 / decimation), rel=0.12)
+
+
+def test_without_noise_there_is_none() -> None:
+    assert spread(VirtualDevice("3dm-cv7-gnss-ins", noise=0), 1) == 0
+
+
+# --------------------------------------------------------------------------- settings of a device
+
+
+def mean(values: list[Any]) -> list[float]:
+    return [sum(column) / len(values) for column in zip(*values)]
+
+
+def test_a_captured_bias_is_removed() -> None:
+    """What is left is noise: 87e-6 rad/s over a second."""
+    host = Host(VirtualDevice("3dm-cv7-gnss-ins", motion=Standing()))
+    host.stream(0x80, (sensor.ScaledGyro, 1))
+    before = mean([x.scaled_gyro for x in host.received(1, sensor.ScaledGyro)])
+    bias = host.ok(mip_3dm.CaptureGyroBias(1000)).bias
+    assert hypot(*bias) > 1e-4 and dist(before, bias) < 2e-4
+    assert host.ok(mip_3dm.GyroBias.read()).bias == bias
+    host.received(0.01, sensor.ScaledGyro)
+    assert hypot(*mean([x.scaled_gyro for x in host.received(1, sensor.ScaledGyro)])) < 2e-4
+    host.ok(mip_3dm.GyroBias.default())
+    host.received(0.01, sensor.ScaledGyro)
+    assert dist(mean([x.scaled_gyro for x in host.received(1, sensor.ScaledGyro)]), before) < 2e-4
+
+
+def test_a_bias_that_is_set_is_subtracted() -> None:
+    host = Host(VirtualDevice("3dm-cv7-gnss-ins", motion=Standing()))
+    host.stream(0x80, (sensor.ScaledAccel, 10))
+    before = mean([x.scaled_accel for x in host.received(1, sensor.ScaledAccel)])
+    host.ok(mip_3dm.AccelBias.write((9.80665, 0.0, -9.80665)))
+    host.received(0.01, sensor.ScaledAccel)
+    after = mean([x.scaled_accel for x in host.received(1, sensor.ScaledAccel)])
+    assert dist(before, [a + b for a, b in zip(after, (1, 0, -1))]) < 2e-3
+    host.device.reset()
+    host.device.advance(5)
+    assert host.device.world.accel_bias == (0, 0, 0), "it was not saved"
+
+
+def test_the_mounting_turns_what_is_sent() -> None:
+    """A sensor that is turned by 90 degrees about the vertical."""
+    host = Host(VirtualDevice("3dm-cv7-gnss-ins", motion=Circle(20, 5)))
+    host.stream(0x82, (filter_data.LinearAccel, 10), (filter_data.EulerAngles, 10))
+    plain = host.received(1, filter_data.LinearAccel)[-1].accel
+    assert dist(plain, (0, 25 / 20, 0)) < 0.03, "to the right, where the centre is"
+    host.ok(mip_3dm.SensorToVehicleTransformEuler.write(0.0, 0.0, pi / 2))
+    turned = host.received(1, filter_data.LinearAccel)[-1].accel
+    assert dist((abs(turned[0]), turned[1], turned[2]), (25 / 20, 0, 0)) < 0.03
+
+
+@pytest.mark.parametrize("steps", [1, 7, 100])
+def test_time_may_be_cut_in_any_way(steps: int) -> None:
+    """The same bytes, noise and integrals included."""
+
+    def run(pieces: int, seed: int = 3) -> bytes:
+        host = Host(VirtualDevice("3dm-cv7-gnss-ins", motion=Circle(), seed=seed))
+        host.stream(0x80, (sensor.ScaledAccel, 10), (sensor.DeltaTheta, 20), (sensor.ScaledPressure, 50))
+        read = bytearray()
+        for _ in range(pieces):
+            host.device.run_until(host.device.now + 2_000_000_000 // pieces)
+            read += host.link.read()
+        return bytes(read)
+
+    whole, cut = run(1), run(steps)
+    assert len(cut) > 2000 and cut == whole[: len(cut)] != run(1, 4)[: len(cut)]
