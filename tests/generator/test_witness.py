@@ -12,6 +12,7 @@ import yaml
 from audit import rules, sdk, witnesses
 from audit.__main__ import main
 from audit.devices import compared_devices, debt
+from audit.leaves import written_out
 from mipgen.base.errors import Failure
 from mipgen.read.loader import load_witnesses
 from mipgen.read.problems import Problems, SpecError
@@ -439,6 +440,16 @@ def test_a_working_copy_of_the_sdk(tmp_path: Path) -> None:
     assert facts["constants"] == {"commands_radio": {"LOUDEST": 9}}
     assert facts["named"] == {"0x05,0x33": "CMD_LOST"}
     assert facts["enums"]["FunctionSelector"] == {"type": "u8", "values": {"WRITE": 1}}
+
+
+def test_a_response_with_the_parameters_of_its_command() -> None:
+    number = {"name": "channel", "type": "u8"}
+    command = {"key": "0x05,0x01", "role": "command", "name": "Tune", "response": "0x81"}
+    tune = command | {"parameters": [{**number, "for": "W"}]}
+    answer = {"key": "0x05,0x81", "role": "response", "name": "Tune::Response", "parameters": [number]}
+    short = [sdk._shortened(x, [tune, answer]) for x in (tune, answer)]
+    assert short == [tune, {**answer, "parameters": "as_command"}]
+    assert written_out({"layouts": short}) == {"layouts": [tune, answer]}
 
 
 def test_auditing_a_working_copy(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

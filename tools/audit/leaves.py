@@ -143,6 +143,31 @@ def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozens
 
 # --------------------------------------------------------------------------- of a witness
 
+#: In place of parameters: those of the command to which the layout is the response.
+AS_COMMAND = "as_command"
+
+
+def commands_of(response: dict[str, Any], layouts: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Returns the commands that have this response, of the same witness."""
+    number, _, descriptor = response["key"].partition(",")
+    if response["role"] != "response":
+        return []
+    return [x for x in layouts if x["key"].startswith(number) and x.get("response") == descriptor]
+
+
+def as_command(command: dict[str, Any]) -> list[dict[str, Any]]:
+    """Returns the parameters of a command's response that has the same ones."""
+    return [{key: value for key, value in p.items() if key != "for"} for p in command["parameters"]]
+
+
+def written_out(facts: dict[str, Any]) -> dict[str, Any]:
+    """Returns the facts of a witness with the parameters of all layouts."""
+    layouts = [
+        {**x, "parameters": as_command(commands_of(x, facts["layouts"])[0])} if x["parameters"] == AS_COMMAND else x
+        for x in facts["layouts"]
+    ]
+    return {**facts, "layouts": layouts}
+
 
 class Reader:
     """Converts layouts of witnesses to leaves. It knows the types of all, as manuals use types that only others

@@ -20,6 +20,8 @@ from typing import Any
 from mipgen import model as m
 from mipgen.base.errors import Failure
 
+from . import leaves
+
 NAME = "sdk"
 DEFINITIONS = Path("src/cpp/mip/definitions")
 
@@ -82,13 +84,21 @@ def _facts(folder: Path) -> dict[str, Any]:
         "same_layouts": {"0x81": sorted(receivers)},
         "vectors": _VECTORS,
         "units": symbols(printed),
-        "layouts": layouts,
+        "layouts": [_shortened(x, layouts) for x in layouts],
         "structs": dict(sorted(structs.items())),
         "enums": dict(sorted((k, v) for k, v in types.items() if "values" in v)),
         "bitfields": dict(sorted((k, v) for k, v in types.items() if "bits" in v)),
         "constants": {k: v for part in parts for k, v in part.constants().items()},
         "named": dict(sorted((k, v) for part in parts for k, v in part.named().items())),
     }
+
+
+def _shortened(layout: dict[str, Any], layouts: list[dict[str, Any]]) -> dict[str, Any]:
+    """Returns a layout that refers to the parameters of the command to which it is the response, if they are the same;
+    the command states besides which function requires them."""
+    commands = leaves.commands_of(layout, layouts)
+    same = len(commands) == 1 and layout["parameters"] and leaves.as_command(commands[0]) == layout["parameters"]
+    return {**layout, "parameters": leaves.AS_COMMAND} if same else layout
 
 
 def revision(folder: Path) -> dict[str, str]:
@@ -388,9 +398,6 @@ def _listed(text: str) -> list[tuple[str, int, str]]:
     return named or [(words, int(number), default) for number, words, default in _LISTED.findall(text)]
 
 
-Layout = dict[str, Any]
-Rows = list[list[str]]
-
 #: Unit symbols of the specification, each with its spellings in manuals.
 UNITS = {
     "m": ["m", "meters", "meter"],
@@ -457,7 +464,9 @@ def dump(facts: dict[str, Any], command: str) -> str:
     return text
 
 
-def _record(layout: Layout) -> str:
+def _record(layout: dict[str, Any]) -> str:
+    if layout["parameters"] == leaves.AS_COMMAND:
+        return f"- {_flow(layout)}\n"
     head = {key: value for key, value in layout.items() if key != "parameters"}
     parts = [f"- {_flow(head)[:-1]}, parameters: [", *(f"{_flow(p)}," for p in layout["parameters"])]
     # No line ends inside a parameter.

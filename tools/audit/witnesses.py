@@ -20,7 +20,7 @@ from mipgen.read import loader
 from mipgen.read.problems import Position, Problems
 
 from . import devices, rules
-from .leaves import Leaf, Reader, of_field
+from .leaves import Leaf, Reader, of_field, written_out
 
 #: Word in a layout's name -> possible frames of its vectors; LLH allows NED, as its uncertainties are in metres.
 _NAMED_FRAMES = {"ecef": {"ecef"}, "llh": {"llh", "ned"}, "ned": {"ned"}}
@@ -71,6 +71,7 @@ def audit_all(model: m.Model, folder: Path, revision: dict[str, Any] | None = No
     witnesses = {Path(d.path).stem: d.root.plain() for d in documents if d.kind == "witness"}
     if revision is not None:
         witnesses = {name: revision}
+    witnesses = {name: written_out(facts) for name, facts in witnesses.items()}
     accepted = [d.root for d in documents if d.kind == "accepted"]
     judged = [(entry, entry.plain()) for root in accepted for entry in root.get("differences") or ()]
     compared = _Compared(model, witnesses, [root.plain() for root in accepted])
