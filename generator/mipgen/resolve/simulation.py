@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 from mipgen import model as m
 from mipgen.facts import simulated_values
@@ -29,7 +29,8 @@ def resolve(roots: Sequence[Node], model: m.Model, problems: Problems) -> Simula
     equals = {word.key: word.equals for word in model.protocol.units if word.equals}
     values = _Values(model, {q.name: q for q in quantities}, equals, problems)
     commands = _Commands(model, {e.name: e for e in effects}, problems)
-    sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
+    shown = [*_entries(roots, "values", problems)]
+    sources = (values.of(name, n, at) for name, n, at in _written_out(shown, problems))
     resolved = [commands.of(name, n, at) for name, n, at in _entries(roots, "commands", problems)]
     behaviors = [b for b in resolved if b is not None]
     names = {b.command.full_name for b in behaviors}
@@ -43,7 +44,11 @@ def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], .
     return tuple((r.name, r.devices) for r in model.responses(f) if r.devices)
 
 
-def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[tuple[str, Node, m.Position]]:
+#: A name, what is stated of it, and where.
+Entry: TypeAlias = "tuple[str, Node, m.Position]"
+
+
+def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[Entry]:
     seen: dict[str, m.Position] = {}
     for root in roots:
         for name, node in root[part].items() if part in root else ():
@@ -53,6 +58,18 @@ def _entries(roots: Iterable[Node], part: str, problems: Problems) -> Iterator[t
                 continue
             seen[name] = at
             yield name, node, at
+
+
+def _written_out(shown: Sequence[Entry], problems: Problems) -> Iterator[Entry]:
+    """Yields the values of each field; those that name another field are the same as there."""
+    values = {name: node for name, node, _ in shown if isinstance(node.value, dict)}
+    for name, node, at in shown:
+        same = values.get(node.value) if isinstance(node.value, str) else node
+        if same is not None:
+            yield name, same, at
+        else:
+            near = nearest(node.value, values)
+            problems.add(node.position, f"no field '{node.value}' with values of its own{near}")
 
 
 def _quantity(name: str, node: Node, model: m.Model, problems: Problems) -> Quantity:
