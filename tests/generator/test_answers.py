@@ -18,13 +18,6 @@ def said(of: m.Model, name: str, topic: str) -> list[str]:
     return [describe.say(f.sentence, lambda r: f"<{r.words}>") for f in facts]
 
 
-def test_silence_by_parameters_and_by_settings() -> None:
-    formats, default = field(model("invented"), "tools.formats"), field(model("invented"), "3d.default")
-    assert [(c.command, c.parameter, c.value) for c in formats.silent_when] == [(None, "suppress_ack", 1)]
-    assert not formats.silenced_by and not default.silent_when  # a client knows the parameters, not the settings
-    assert [(c.command, c.parameter, c.value) for c in default.silenced_by] == [("tools.settings", "mode", 1)]
-
-
 def test_echo_control() -> None:
     """The same setting silences all aiding measurements, and nothing else."""
     silent = {f.full_name for f in model("real").fields if f.silenced_by}
@@ -78,20 +71,6 @@ def test_devices_that_send_a_layout() -> None:
         note = next((n.description for n in d.notes if n.name == "device_status"), "")
         told = {name for name in names if f"`{name}`" in note}
         assert not told or told == {r.full_name for r in model("real").answers(status, d.id)}, d.id
-
-
-def test_layouts_of_one_device_in_the_model() -> None:
-    status = field(model("invented"), "tools.status")
-    assert [r.name for r in model("invented").answers(status, "model-a")] == ["status_short", "status_old"]
-    assert [r.name for r in model("invented").answers(status, "model-b")] == ["status_short", "status_long"]
-    assert [r.name for r in model("invented").answers(status, "model-c")] == ["status_paged", "status_full"]
-    assert said(model("invented"), "tools.status_full", "devices") == ["Supported by <Model C>."]
-    (behavior,) = (b for b in model("invented").simulation.behaviors if b.command == status)
-    assert behavior.answers == (
-        ("status_paged", ("model-c",)),
-        ("status_old", ("model-a",)),
-        ("status_full", ("model-c",)),
-    )
 
 
 def test_layouts_that_name_a_device_are_no_longer_those_of_all() -> None:

@@ -46,11 +46,3 @@ def example(string: str | None = None, table: str | None = None, role: str = "co
 )
 def test_differences(printed: m.Example, found: list[str]) -> None:
     assert misprint_text(printed) == found
-
-
-def test_examples_of_the_invented_specification() -> None:
-    by_id = {e.id: e for e in INVENTED.examples}
-    assert by_id["settings-write"].packet[:-2].hex() == "75650109" + "090201010200002580"
-    assert by_id["accel-bytes"].packet[4:-2].hex() == "10013f800000bf8000007fe5bf7f0001"
-    assert by_id["unknown-descriptor"].fields[0].field is None and by_id["unknown-descriptor"].synthetic
-    assert not by_id["ping"].synthetic and by_id["ping"].fields[0].values == {}

@@ -56,30 +56,6 @@ def test_evidence() -> None:
     assert c.absent == "no" and device("old-1").absent == "unknown"
 
 
-def test_what_changes() -> None:
-    a, c = device("model-a"), device("model-c")
-    functions = {s.name: m.letters(s.functions) for s in c.supports}
-    assert functions["tools.settings"] == "WRS" and functions["tools.bias"] == "WRSLD"
-    assert [(r.set.name, r.hertz) for r in c.base_rates] == [("measurements", 1000), ("more", 250)]  # copy: not known
-    assert [(p.name, p.id, p.baud_rates) for p in c.ports] == [("Main", 0x12, (9600,)), ("CAN", None, ())]
-    assert [(x.name, x.value, x.firmware) for x in c.limits] == [("segments", 6, "< 2.0")] and len(a.limits) == 2
-    assert (len(a.notes), c.notes, c.ack_codes) == (1, (), a.ack_codes)
-    assert {s.name: s.deprecated for s in c.supports if s.deprecated} == {
-        "tools.capture_bias": "use `tools.bias` instead"
-    }
-
-
-def test_families() -> None:
-    first, second = device("old-1"), device("old-2")
-    assert first.generation == second.generation == 1 and first.description == second.description
-    said = [(s.name, s.evidence.kind, s.evidence.of) for s in first.supports]
-    assert said == [("tools.ping", "documented", ()), ("measurements.numbers", "family", ("model-a", "model-b"))]
-    assert [s.certain for s in second.supports] == [False, False]
-    assert first.incomplete != second.incomplete == ("Nothing is known of its data.",)
-    assert first.like is None and INVENTED.device("old") is None
-    assert first.base_rates == () and first.ack_codes == ()
-
-
 def test_hardware() -> None:
     """A device has neither fields, values nor flags that need what it lacks; what comes from outside needs nothing."""
     only = {v.path: [x.name for x in v.variant.only] for v in device("model-c").variants if v.variant.only}

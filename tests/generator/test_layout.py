@@ -92,18 +92,6 @@ def test_required_by_function() -> None:
     assert m.letters(f.parameters[3].required_for) == "WA" and f.parameters[4].optional
 
 
-def test_as_command_drops_selector_and_presence() -> None:
-    f = invented("tools.settings_response")
-    assert [p.name for p in f.parameters] == ["port", "mode", "baud", "limit", "reserved"]
-    assert "group" not in kinds(f) and not f.optional and f.required() == 5
-
-
-def test_a_counter_and_its_array_are_one_group() -> None:
-    f = invented("tools.list")
-    assert [(g.first, g.last, [p.kind for p in g.parameters]) for g in f.groups] == [(1, 2, ["counter", "array"])]
-    assert f.parameters[1].counts == "items" and [f.required(n) for n in (1, 2, 3)] == [2, 0, 0]
-
-
 def test_groups_keep_what_stands_between_a_counter_and_its_array() -> None:
     f = field(
         "[{name: n, type: u8, for: W}, {name: k, type: u8, for: W}, {name: a, type: u8, count: n, for: W},"
@@ -118,14 +106,6 @@ def test_constants_have_offsets() -> None:
     assert f.signature == ((0, (4711).to_bytes(2, "big")), (2, b"\x02"))
     f = field("[{name: n, type: char, count: 2}, {name: c, type: u8, const: 1}]")
     assert f.signature == ()
-
-
-def test_types_come_after_those_that_they_use() -> None:
-    tools = some(INVENTED.family("tools"))
-    order = [t.name for t in tools.types]
-    assert order.index("fill") < order.index("circle") and order.index("stripes") < order.index("circle")
-    shared = [t.name for t in INVENTED.types]
-    assert shared.index("point") < shared.index("segment") and shared.index("mode") < shared.index("state_flags")
 
 
 def test_a_part_is_what_it_holds() -> None:
@@ -196,44 +176,6 @@ def test_bits_describe_the_values_that_they_mark() -> None:
     flags = f.parameters[-1].element
     assert isinstance(flags, m.Bitfield)
     assert [b.description for b in flags.bits] == ["`a` is valid.", "`b` and `c` are valid.", ""]
-
-
-def test_calls() -> None:
-    write, read, *_, apply = invented("tools.settings").calls
-    assert [p.name for p in write.required] == ["port", "mode", "baud"] == [p.name for p in apply.required]
-    assert [p.name for p in write.optional] == ["limit", "reserved"] == [p.name for p in apply.optional]
-    assert [p.name for p in read.required] == ["port", "mode"] and read.optional == ()
-    (only,) = invented("tools.status").calls
-    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.passed] == ["selector"]
-    (growing,) = invented("measurements.growing").calls
-    assert len(growing.required) == 1 and len(growing.optional) == 2
-
-
-def test_a_family_of_sets() -> None:
-    """A field occurs in all sets, or in those that it lists."""
-    family = some(INVENTED.family("measurements"))
-    assert [s.name for s in family.sets] == ["measurements", "more", "copy"]
-    there = {s.name: [f.name for f in INVENTED.fields_in(s)] for s in family.sets}
-    assert there["copy"] == there["measurements"] and len(there["copy"]) > 5
-    assert there["more"] == ["accel", "strings", "own"]
-    accel, radio, own = (invented(f"measurements.{name}") for name in ("accel", "radio", "own"))
-    assert (accel.sets, radio.sets, own.sets) == ((0x80, 0x81, 0x92), (0x80, 0x92), (0x81,))
-    assert (accel.name_in(0x92), own.name_in(0x81), own.full_name) == ("copy.accel", "more.own", "measurements.own")
-    cited = {o.set_name: [s.section for s in o.sources] for o in (*accel.occurrences, *radio.occurrences[1:])}
-    assert cited["more"] == ["Second acceleration"] and cited["copy"] == ["Copied measurements"]
-    assert [x.name for x in family.named] == ["shade", "ghost"]
-    assert [f.name for f in INVENTED.candidates(0x81, 0x07)] == ["own"] != INVENTED.candidates(0x80, 0x07)
-    assert INVENTED.set_of("copy.accel") == 0x92 and INVENTED.set_of("measurements.own") == 0x80
-
-
-def test_candidates() -> None:
-    names = {n: [f.name for f in INVENTED.candidates(*n)] for n in ((1, 0xF1), (1, 0x90), (0x80, 0xD3), (1, 0xD3))}
-    assert names == {
-        (1, 0xF1): ["acknowledge"],
-        (1, 0x90): ["status_paged", "status_short", "status_long", "status_old", "status_full"],
-        (0x80, 0xD3): ["timestamp"],
-        (1, 0xD3): [],
-    }
 
 
 def test_positions_are_those_of_the_file() -> None:
