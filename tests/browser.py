@@ -20,8 +20,6 @@ FLAGS = (
     "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--remote-debugging-pipe",
 )  # fmt: skip
 
-#: Seconds: a test that waits for an event that has already occurred fails instead of hanging.
-
 
 class Page:
     """A tab. `complaints` are errors of its scripts and of the browser, `asked` the addresses that it has requested."""

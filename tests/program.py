@@ -101,7 +101,6 @@ def on_a_full_disk(size: int, *arguments: object) -> tuple[int, bytes]:
     return done.returncode, done.stderr
 
 
-#: What programs say of the device, if they know it.
 #: What commands that name values say of such a log, which has no reply of its device.
 RECOGNIZED = "filter_data.status: flags read as those of generation 7 (recognized)"
 _DEVICE = re.compile(r"(mip \w+: device .* \((from the log|at the port)\)\n)?")

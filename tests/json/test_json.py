@@ -159,12 +159,6 @@ def test_every_name_leads_somewhere(spec: str) -> None:
 # --------------------------------------------------------------------------- symbols
 
 
-def test_what_a_device_deprecates() -> None:
-    supports = {d["id"]: {s["field"]: s for s in d["supports"]} for d in whole("invented")["devices"]}
-    assert supports["model-c"]["tools.capture_bias"]["deprecated"] == "use `tools.bias` instead"
-    assert not any(s.get("deprecated") for s in supports["model-a"].values())
-
-
 @specs
 def test_symbols_are_names_in_the_bindings(spec: str) -> None:
     """A search for a name in source code finds the field."""

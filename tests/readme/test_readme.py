@@ -91,24 +91,6 @@ def test_first_page_is_short() -> None:
     assert len(prose.split()) < 700
 
 
-def test_figures_beside_others_are_those_that_were_measured() -> None:
-    """`make bench` writes them to the READMEs of the bindings."""
-
-    def row(page: str, name: str) -> list[str]:
-        line = re.search(rf"^\| {re.escape(name)} \|(.*)\|$", (ROOT / page).read_text("utf-8"), re.M)
-        assert line, name
-        return [cell.strip() for cell in line[1].split("|")]
-
-    size, sdk_size = row("generated/c/docs/measurements.md", "size: application, waiting for replies")[:2]
-    speed, sdk_speed = row("generated/c/docs/measurements.md", "parse, in pieces of 4 KiB")[1:]
-    crate = row("generated/rust/src/guide.md", "parse a slice: `packets`")[5]
-    shown = row("README.md", "firmware with three fields and three commands¹")
-    assert [x.replace(",", "") for x in shown[:2]] == [size, sdk_size]
-    shown = row("README.md", "parser, instructions per byte¹")
-    assert [float(x) for x in shown[:2]] == [round(float(speed), 1), round(float(sdk_speed), 1)]
-    assert shown[3].startswith(f"{crate} × as many")
-
-
 def test_every_target_of_make_is_there() -> None:
     makefile = (ROOT / "Makefile").read_text("utf-8")
     for name in set(re.findall(r"(?:`|^    )make ([a-z-]+)", README + SPECIFICATIONS + CONTRIBUTING, re.M)):

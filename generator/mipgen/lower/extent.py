@@ -96,9 +96,9 @@ def exact_size(p: m.Parameter, prefix: str = "") -> Extent | None:
     return several[0] if len(several) == 1 and not several[0].filling else None
 
 
-def shortest_size(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
+def shortest_size(parameters: Iterable[m.Parameter]) -> Extent:
     """Returns the minimum size of parameters, given their counters."""
-    return totals(parameters, Extent(), prefix, unknown=True)[0]
+    return totals(parameters, Extent(), unknown=True)[0]
 
 
 def size(p: m.Parameter) -> tuple[int, int]:
