@@ -7,7 +7,6 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.lower import codec
-from mipgen.lower.codec import CodecError
 from support import model, some
 
 MODEL = model("invented")
@@ -15,43 +14,6 @@ MODEL = model("invented")
 
 def field(name: str) -> m.Field:
     return some(MODEL.field(name))
-
-
-def test_a_field_that_is_too_long_is_refused() -> None:
-    values = {"model": "A" * 16, "length": 200, "name": "A" * 200, "rest": "A" * 100}
-    with pytest.raises(CodecError) as caught:
-        codec.encode(field("measurements.strings"), values)
-    assert caught.value.kind == "length"
-
-
-@pytest.mark.parametrize(
-    ("packet", "kind"),
-    [
-        ("7566 0102 0201 E1C8", "sync"),
-        ("7565 0102 0201 E0C7", "checksum"),
-        ("7565 0102 0201", "length"),
-        ("7565 0002 0201 DFC2", "length"),
-        ("7565 0102 0101", "field_length"),
-        ("7565 0102 0301", "field_length"),
-        ("7565 0101 02", "field_length"),
-    ],
-)
-def test_refused_packets(packet: str, kind: str) -> None:
-    raw = bytes.fromhex(packet)
-    if kind == "field_length":
-        raw += codec.checksum(raw)
-    with pytest.raises(CodecError) as caught:
-        codec.split(MODEL, raw)
-    assert caught.value.kind == kind
-
-
-def test_packets() -> None:
-    built = codec.build(MODEL, 1, [(1, b""), (9, b"\x02")])
-    assert codec.split(MODEL, built) == [(1, b""), (9, b"\x02")]
-    assert codec.split(MODEL, codec.build(MODEL, 0x80, [])) == []
-    for fields in ([(1, bytes(254))], [(1, bytes(200)), (1, bytes(60))]):
-        with pytest.raises(CodecError):
-            codec.build(MODEL, 1, fields)
 
 
 STATUS = MODEL.candidates(1, 0x90)

@@ -98,7 +98,8 @@ def test_every_target_of_make_is_there() -> None:
 
 
 def test_every_path_is_there() -> None:
-    for page in ("README.md", "CONTRIBUTING.md", ".github/SECURITY.md", "docs/specifications.md"):
+    pages = ("README.md", "CONTRIBUTING.md", ".github/SECURITY.md", "docs/architecture.md", "docs/specifications.md")
+    for page in pages:
         for path in re.findall(r"\]\(([^)#]+)[^)]*\)", (ROOT / page).read_text("utf-8")):
             assert path.startswith("http") or ((ROOT / page).parent / path).exists(), (page, path)
 

@@ -101,16 +101,6 @@ def test_packages_of_the_architecture() -> None:
     assert set(re.findall(r"^      (\w+)/", ARCHITECTURE, re.M)) == packages
 
 
-def test_paths_of_the_architecture() -> None:
-    """Files and folders, with the target that has them for <name>."""
-    paths = set(re.findall(r"`((?:spec|tests|templates|generated|docs)/[\w./<>-]*)`", ARCHITECTURE))
-    assert len(paths) > 5
-    for path in paths:
-        assert list(ROOT.glob(path.replace("<name>", "*"))), path
-    for link in re.findall(r"\]\((.*?)\)", ARCHITECTURE):
-        assert (ROOT / "docs" / link.partition("#")[0]).exists(), link
-
-
 # --------------------------------------------------------------------------- the pictures of the README
 
 COMMITTED = ROOT / "docs/pictures/session.svg"

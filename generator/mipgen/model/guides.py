@@ -118,7 +118,7 @@ class Guide:
     before: tuple[str, ...] = ()  # prerequisites
     questions: tuple[Question, ...] = ()
     notes: tuple[str, ...] = ()
-    tables: tuple[str, ...] = ()  # tables of facts about all devices: see TABLES
+    tables: tuple[str, ...] = ()  # tables of facts about all devices: base_rates, baud_rates
     migration: Migration | None = None
     see: tuple[str, ...] = ()  # names of guides and full names of fields
     sources: tuple[Source, ...] = ()
@@ -134,10 +134,6 @@ class Guide:
         questions = tuple(q.only(fields) for q in self.questions)
         moved = m and _moved(m, fields, devices)
         return replace(self, sequences=kept, questions=questions, see=_seen(self.see, fields), migration=moved)
-
-
-#: The tables of facts about all devices that a guide may contain.
-TABLES = ("base_rates", "baud_rates")
 
 
 def _seen(see: tuple[str, ...], fields: dict[str, Field]) -> tuple[str, ...]:
