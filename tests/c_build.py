@@ -50,8 +50,9 @@ def include(spec: str) -> str:
     return f"-I{folder(spec)}/src"
 
 
-def run(*command: str | Path, **environment: str) -> str:
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment})
+def run(*command: object, cwd: Path | None = None, **environment: str) -> str:
+    environment = {**os.environ, **environment}
+    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True, env=environment)
     assert done.returncode == 0, f"{' '.join(map(str, command))[:400]}\n{done.stdout[-3000:]}{done.stderr[-6000:]}"
     return done.stdout
 

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 import sys
 import zipfile
 from pathlib import Path
 
 import pytest
+from c_build import run
 from mipgen import __version__
 from support import ROOT, SPECS, another_python, nightly, packaging, tree
 
 pytestmark = packaging
 INVENTED, GOLDEN = SPECS["invented"]
-
-
-def run(*command: str | Path, cwd: Path | None = None, **environment: str) -> str:
-    done = subprocess.run(
-        [str(c) for c in command], capture_output=True, text=True, cwd=cwd, env={**os.environ, **environment}
-    )
-    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
-    return done.stdout
 
 
 @pytest.fixture(scope="module")

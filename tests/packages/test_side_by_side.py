@@ -4,14 +4,13 @@ another. Both are made of one specification, so that nothing but the package can
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from c_build import run
 from mipgen import cli
 from support import need, packaging
 
@@ -69,14 +68,6 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> Packages:
     made["mip"] = folder / "mip"
     assert cli.main(["generate", "--spec", str(folder / "spec"), "--out", str(made["mip"])]) == 0
     return made
-
-
-def run(*command: object, cwd: Path | None = None, **environment: str) -> str:
-    done = subprocess.run(
-        list(map(str, command)), cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 def test_an_own_specification_says_nothing_of_others(packages: Packages) -> None:

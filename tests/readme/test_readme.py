@@ -12,7 +12,7 @@ import c_build
 import crates
 import program
 import pytest
-from c_build import SANITIZED
+from c_build import SANITIZED, run
 from program import blocks, section
 from support import BUILD, PYTHONPATH, ROOT, driver, heavy, need, simulated, uses
 
@@ -32,12 +32,6 @@ def block(language: str, title: str = "") -> str:
 def commands(title: str) -> list[list[str]]:
     """The commands of a section, without comments."""
     return [line.partition("#")[0].split() for line in program.commands(section(SPECIFICATIONS, title), "mipgen ")]
-
-
-def run(*command: str | Path, **environment: str) -> str:
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment})
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def test_quickstart_in_c(tmp_path: Path) -> None:
