@@ -23,6 +23,7 @@ families:
     evidence:
       - {{kind: family, of: [model-a], fields: {{tools: [ping]}}}}
       - {{kind: documented, fields: {{tools: [settings]}}}}
+    deprecated: {{tools.settings: use `tools.ping` instead}}
     base_rates: {{measurements: 100}}
     ports: [{PORT}]
 devices:
@@ -74,6 +75,7 @@ def test_the_strongest_evidence_counts(tmp_path: Path, within: bool) -> None:
 def test_what_a_device_lists_is_only_probable_of_those_that_are_like_it(tmp_path: Path) -> None:
     heir = device(loaded(tmp_path, LISTED, True), "heir")
     assert kinds(heir) == {"tools.ping": "sister", "tools.settings": "documented", "measurements.accel": "documented"}
+    assert [s.deprecated for s in heir.supports if s.name == "tools.settings"] == ["use `tools.ping` instead"]
     (ping,) = (s.evidence for s in heir.supports if s.name == "tools.ping")
     assert (ping.of, ping.firmware, ping.date, ping.undefined) == (("cousin",), None, None, ())
 
