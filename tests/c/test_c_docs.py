@@ -194,16 +194,8 @@ def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
 def test_everything_has_a_comment(spec: str) -> None:
     """Every function, structure, member, macro and value of every header; guards apart, and what every field has."""
     fields = [names.field_name(f) for f in (model(spec).protocol.acknowledge, *model(spec).fields)]
-    common = {
-        "MIP_FIELD",
-        "MIP_FILL",
-        "MIP_SEND",
-        "MIP_CALL",
-        "MIP_CALL_FOR",
-        "MIP_CALL_WITH",
-        "MIP_COMMAND_REPLIES",
-        "MIP_VALUE_NAME",
-    }
+    common = {"MIP_FIELD", "MIP_FILL", "MIP_SEND", "MIP_CALL", "MIP_CALL_FOR", "MIP_CALL_WITH"}
+    common |= {"MIP_COMMAND_REPLIES", "MIP_VALUE_NAME"}
     common |= {names.macro(f"{name}{end}") for name in fields for end in ("", "_descriptor")}
     common |= {f"{name}_{verb}_inline" for name in fields for verb in ("decode", "encode")}
     headers = sorted((SPECS[spec][1] / "c/src").rglob("*.h"))

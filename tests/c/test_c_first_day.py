@@ -8,14 +8,15 @@ import pty
 import re
 import socket
 import subprocess
-import sys
 import threading
 from pathlib import Path
 
 import pytest
 from c_build import HERE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
+from mip_protocol import base, open_port
+from mip_protocol.baud import rates
 from mipgen.targets.c import calls
-from support import PATIENCE, PYTHONPATH, heavy, model, need, simulated
+from support import PATIENCE, heavy, model, need, simulated
 
 PORTS = folder("real") / "ports"
 SOURCES = sorted(PORTS.glob("*.c"))
@@ -49,12 +50,8 @@ def test_connect_and_stream_at_a_scripted_port(tmp_path: Path) -> None:
 
 def test_the_rates_are_those_of_all_devices() -> None:
     """The same as in Python, in the same order."""
-    script = "from mip_protocol.baud import rates; print(*rates())"
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     session = calls.session_calls(model("real"))
-    assert session is not None
-    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
-    assert tuple(map(int, done.stdout.split())) == session.of.bauds
+    assert session is not None and tuple(rates()) == session.of.bauds
 
 
 def test_a_part_without_these_commands_has_no_such_files() -> None:
@@ -152,18 +149,10 @@ def test_faults(stream: Path, tmp_path: Path) -> None:
 
 def test_the_baud_rate_is_found(stream: Path, tmp_path: Path) -> None:
     path = f"{tmp_path}/terminal"
-    change = (
-        "import sys\nfrom mip_protocol import base, open_port\n"
-        "with open_port(sys.argv[1]) as device:\n"
-        "    device.request(base.SetIdle())\n"
-        "    print(device.change_baud(base.CommSpeed.write(0x11, 460800)))\n"
-    )
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     with simulated("--port", f"UART 1=pty:{path}", "--strict-baud", "--duration", "8"):
-        changed = subprocess.run(
-            [sys.executable, "-c", change, path], env=environment, capture_output=True, text=True, check=True
-        )
-        assert changed.stdout == "460800\n"
+        with open_port(path) as device:
+            device.request(base.SetIdle())
+            assert device.change_baud(base.CommSpeed.write(0x11, 460800)) == 460800
         good(ran(stream, path), most=1200)
 
 

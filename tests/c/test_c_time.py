@@ -1,7 +1,8 @@
-"""Times of packets, conversion to UTC, and validity in C, compared with the Python package and its datetime."""
+"""Times of packets, conversion to UTC, and validity in C, compared with the Python package; rejected fields."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from mipgen.targets.c import names, validity
 from mipgen.targets.python import names as python
 from packages import mip, real
 from random_values import chance
-from support import heavy, model, rounds
+from support import ROOT, heavy, model, rounds
 from timed_packets import cases_of_devices, leap_seconds, random_packets
 
 PACKAGES: dict[str, Any] = {"real": real, "invented": mip}
@@ -29,17 +30,13 @@ int main(void) {
     long long number;
     while (scanf("%63s %1023s", device, text) == 2) {
         uint8_t bytes[MIP_MAX_PACKET];
-        struct mip_packet packet = {bytes, strlen(text) / 2, 0};
+        struct mip_packet packet = {bytes, 0, 0};
         if (strcmp(device, "utc") == 0) {
             CHECK(scanf("%lld", &number) == 1);
             printf("%lld\\n", (long long)mip_time_utc((uint8_t)atoi(text), number));
             continue;
         }
-        for (size_t i = 0; i < packet.size; i++) {
-            unsigned value;
-            CHECK(sscanf(text + 2 * i, "%2x", &value) == 1);
-            bytes[i] = (uint8_t)value;
-        }
+        packet.size = octets(text, bytes);
         packet.descriptor_set = bytes[2];
         const uint8_t reading = mip_reading_of(device[0] == '-' ? NULL : device);
         for (unsigned clock = 0; clock < CLOCKS; clock++) {
@@ -145,3 +142,61 @@ def test_validity_is_that_of_python(spec: str, tmp_path: Path) -> None:
     calls = "".join(f"    check_{i}();\n" for i in range(count))
     source = f'#include "check.h"\n#include "mip/timestamps.h"\n{includes}{"".join(body)}'
     run(program(tmp_path, spec, f"{source}int main(void) {{\n{calls}    return 0;\n}}\n"))
+
+
+# --------------------------------------------------------------------------- rejected fields
+
+REJECTED = """
+#include "check.h"
+#include "mip/connect.h"
+#include "mip/extra/profiles.h"
+#include "mip/extra/rejected.h"
+
+/* Reads "DEVICE DESCRIPTORS COMMAND DATA", with - for none, and prints the field as JSON. */
+int main(void) {
+    const struct mip_known_device ar = {&mip_profile_cv7_ar, NULL, 0};
+    const struct mip_rate rates[] = {{0x04, 100, 0}, {0x06, 50, 0}};
+    const struct mip_rejected mag = mip_stream_rejected(0x80, 2, rates, &ar);
+    CHECK(mag.reason == MIP_REJECTION_ABSENT && mag.index == 1 && mag.descriptor == 0x06);
+    CHECK(mip_stream_rejected(0x80, 1, rates, &ar).reason == MIP_REJECTION_UNKNOWN);
+    CHECK(mip_stream_rejected(0x91, 0, rates, &ar).reason == MIP_REJECTION_ABSENT);
+    static struct mip_rate many[MIP_MAX_FIELD_DATA];
+    CHECK(mip_stream_rejected(0x91, MIP_MAX_FIELD_DATA, many, &ar).reason == MIP_REJECTION_UNKNOWN); /* not sent */
+    static const char *const reasons[] = {"", "absent", "decimation", "too_many", "undefined", "unlisted"};
+    char words[4][600];
+    while (scanf("%599s %599s %599s %599s", words[0], words[1], words[2], words[3]) == 4) {
+        uint8_t listed[64], command[2], data[256];
+        uint16_t descriptors[32];
+        struct mip_known_device known = {mip_profile_find(words[0]), NULL, octets(words[1], listed) / 2};
+        for (size_t i = 0; i < known.descriptor_count; i++) {
+            descriptors[i] = (uint16_t)(listed[2 * i] << 8 | listed[2 * i + 1]);
+            known.descriptors = descriptors;
+        }
+        (void)octets(words[2], command);
+        const uint8_t size = (uint8_t)octets(words[3], data);
+        const struct mip_field field = {data, size, command[0], command[1]};
+        const struct mip_rejected found = mip_find_rejected(&field, &known);
+        char text[100], part[6];
+        CHECK(mip_rejected_text(&found, &known, text, sizeof(text)) == strlen(text));
+        CHECK(mip_rejected_text(&found, &known, part, sizeof(part)) == strlen(text));
+        CHECK(strlen(part) == (text[0] == '\\0' ? 0 : 5) && strncmp(part, text, strlen(part)) == 0);
+        CHECK(mip_rejected_text(&found, &known, NULL, 0) == strlen(text));
+        if (found.reason == MIP_REJECTION_UNKNOWN) {
+            printf("null\\n");
+            continue;
+        }
+        printf("[%u, \\"%02X\\", \\"%02X\\", \\"%s\\", \\"%s\\"]\\n", found.index, found.descriptor_set,
+               found.descriptor, reasons[found.reason], text);
+    }
+    return 0;
+}
+"""
+
+
+def test_the_field_to_blame(tmp_path: Path) -> None:
+    """By the cases that all languages share."""
+    cases = json.loads((ROOT / "tests/rejected.json").read_text("utf-8"))
+    keys = ("device", "descriptors", "command", "data")
+    lines = [" ".join(c.get(key, "").replace(" ", "") or "-" for key in keys) for c in cases]
+    found = map(json.loads, answers(program(tmp_path, "real", REJECTED), lines))
+    assert {c["title"]: x for c, x in zip(cases, found, strict=True)} == {c["title"]: c["cause"] for c in cases}

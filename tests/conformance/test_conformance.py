@@ -437,27 +437,10 @@ def streams(spec: str) -> list[bytes]:
         parts = []
         for _ in range(chance.randrange(1, 12)):
             packet = chance.choice(packets)
-            parts.append(
-                chance.choice(
-                    [
-                        packet,
-                        packet,
-                        NMEA,
-                        b"ue",
-                        b"u",
-                        b"ueue",
-                        b"ue\x00\x00",
-                        *NO_PACKETS,
-                        b"ue\x80\xff" + packet,
-                        packet[: chance.randrange(len(packet))],
-                        packet[:-1] + bytes([packet[-1] ^ 1]),
-                        bytes(
-                            chance.choice([0x75, 0x65, 0, 1, chance.randrange(256)])
-                            for _ in range(chance.randrange(40))
-                        ),
-                    ]
-                )
-            )
+            noise = bytes(chance.choice([0x75, 0x65, 0, 1, chance.randrange(256)]) for _ in range(chance.randrange(40)))
+            cut, damaged = packet[: chance.randrange(len(packet))], packet[:-1] + bytes([packet[-1] ^ 1])
+            starts = (b"ue", b"u", b"ueue", b"ue\x00\x00", *NO_PACKETS, b"ue\x80\xff" + packet)
+            parts.append(chance.choice([packet, packet, NMEA, *starts, cut, damaged, noise]))
         found.append(b"".join(parts))
     return found
 
@@ -469,14 +452,3 @@ def test_streams_in_many_chunkings(language: str, spec: str) -> None:
         for chunk in (1, 2, 3, 7, 64, 1000):
             requests.append({"op": "parse", "stream": stream.hex(), "chunk": chunk})
     compare(language, spec, requests)
-
-
-@each_of_the_small_one("parse")
-def test_every_intact_packet_comes_out(language: str, spec: str) -> None:
-    """The noise between the packets contains no packet itself, so all of these must be found."""
-    packets = sorted({e.packet for e in model(spec).examples})
-    between = [NMEA, b"", b"\x75", b"\x75\x65", b"\x75\x65\x80", b"ue\x00", b"noise", b"\xff" * 9]
-    stream = b"".join(p + between[i % len(between)] for i, p in enumerate(packets))
-    answers = compare(language, spec, [{"op": "parse", "stream": stream.hex(), "chunk": n} for n in (1, 5, 4096)])
-    for answer in answers:
-        assert answer["packets"] == [p.hex() for p in packets]

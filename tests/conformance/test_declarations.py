@@ -49,9 +49,7 @@ def test_a_driver_and_its_declaration_come_together() -> None:
 
 @pytest.mark.parametrize("operation", OPERATIONS)
 def test_the_bindings_offer_everything(operation: str) -> None:
-    """C's ports have tests of their own."""
-    bindings = {"python", "rust"} if operation == "live" else {"c", "python", "rust"}
-    assert {name for name, offered in OFFERS.items() if operation in offered} >= bindings
+    assert {name for name, offered in OFFERS.items() if operation in offered} >= {"c", "python", "rust", "javascript"}
 
 
 def mine(folder: Path, driver: str = DRIVER, declared: str = 'conformance=("parse",)', name: str = "mine") -> Path:
@@ -86,8 +84,8 @@ def test_the_suite_asks_a_target_of_others_what_it_declares(tmp_path: Path) -> N
     mine(tmp_path, declared='conformance=("parse",), program="no-such-program"', name="mine_program")
     mine(tmp_path, DRIVER.replace("expected_parse(bytes.fromhex", "expected_parse(b'u' + bytes.fromhex"), name="mine_x")
     said = suite(tmp_path)
-    # Streams, intact packets, and invalid requests, which the wrong driver refuses as well.
-    assert "tests run: conformance 6; " in said, said
-    assert re.findall(r"^FAILED .*\[(\w+)", said, re.M) == ["mine_x"] * 2, said
+    # Streams, and invalid requests, which the wrong driver refuses as well.
+    assert "tests run: conformance 4; " in said, said
+    assert re.findall(r"^FAILED .*\[(\w+)", said, re.M) == ["mine_x"], said
     for what in ("punched cards", "no-such-program"):
         assert re.search(f"left out, .*: .*{what}", said), said

@@ -125,44 +125,39 @@ test("what a command may end with", async () => {
     for (const one of [device, refused.device, silent.device]) await one.close();
 });
 
+/** Answers what a device is and what it lists, and rejects all else: descriptor -> the response and its data. */
+const rejecting = (responses, sent = []) =>
+    answering(({ set, descriptor }) => {
+        sent.push(descriptor);
+        const [number, data] = (set === 1 && responses[descriptor]) || [];
+        if (!data) return ack(set, descriptor, 3);
+        return [ack(set, descriptor), { descriptor: number, data: Uint8Array.from(data), set }];
+    });
+const informed = (...texts) => [0x81, [0, 0, ...[...texts.join("").padEnd(80)].map((letter) => letter.charCodeAt(0))]];
+const listing = (...descriptors) =>
+    MessageFormat.write({ descriptorSet: 0x82, descriptors: descriptors.map((descriptor) => ({ descriptor, decimation: 1 })) });
+
 test("a device that rejects a list is asked once what it is and what it sends", async () => {
-    const text = (words, size) => [...words.padEnd(size)].map((letter) => letter.charCodeAt(0));
     const sent = [];
-    const { device } = await opened(
-        answering(({ set, descriptor }) => {
-            sent.push(descriptor);
-            if (set !== 1) return ack(set, descriptor, 3);
-            const info = [0, 0, ...text("3DM-CV7-AHRS", 16), ...text("6286-9999", 16), ...text("", 48)];
-            const data = { 3: info, 4: [1, 1, 1, 7, 0x80, 4], 7: [0x82, 0x10] }[descriptor];
-            return [ack(set, descriptor), { descriptor: { 3: 0x81, 4: 0x82, 7: 0x86 }[descriptor], data: Uint8Array.from(data), set }];
-        }),
-        { explain: rejections(model) },
-    );
-    const descriptors = [0x10, 0x01].map((descriptor) => ({ descriptor, decimation: 1 }));
+    const responses = { 3: informed("3DM-CV7-AHRS    ", "6286-9999"), 4: [0x82, [1, 1, 1, 7, 0x80, 4]], 7: [0x86, [0x82, 0x10]] };
+    const { device } = await opened(rejecting(responses, sent), { explain: rejections(model) });
+    const text = "3DM-CV7-AHRS does not send filter_data.llh_position";
     for (let i = 0; i < 2; i++)
-        await assert.rejects(device.request(MessageFormat.write({ descriptorSet: 0x82, descriptors })), {
-            message: "3dm.message_format rejected (invalid parameter): 3DM-CV7-AHRS does not send filter_data.llh_position",
-            rejected: { index: 1, set: 0x82, descriptor: 1, reason: "absent", text: "3DM-CV7-AHRS does not send filter_data.llh_position" },
+        await assert.rejects(device.request(listing(0x10, 0x01)), {
+            message: `3dm.message_format rejected (invalid parameter): ${text}`,
+            rejected: { index: 1, set: 0x82, descriptor: 1, reason: "absent", text },
         });
     assert.deepEqual(sent, [0x0f, 3, 4, 7, 0x0f]);
     await assert.rejects(device.request(PpsSourceControl.read()), { rejected: undefined });
-    const [outcome] = await device.exchange([MessageFormat.write({ descriptorSet: 0x82, descriptors })]);
-    assert.equal(outcome.rejected.text, "3DM-CV7-AHRS does not send filter_data.llh_position");
+    const [outcome] = await device.exchange([listing(0x10, 0x01)]);
+    assert.equal(outcome.rejected.text, text);
     await device.close();
 });
 
 test("a device that does not answer all that it was asked about itself is judged by its profile alone", async () => {
-    const { device } = await opened(
-        answering(({ set, descriptor }) => {
-            if (set !== 1 || descriptor === 7) return ack(set, descriptor, 3);
-            const response = (number, data) => [ack(set, descriptor), { descriptor: number, data: Uint8Array.from(data), set }];
-            if (descriptor === 4) return response(0x82, [1, 7, 0x80, 4]);
-            return response(0x81, [0, 0, ...[..."6286".padStart(20).padEnd(80)].map((letter) => letter.charCodeAt(0))]);
-        }),
-        { explain: rejections(model) },
-    );
-    const descriptors = [{ descriptor: 0x05, decimation: 1 }]; // of the list's second half: the model sends it
-    await assert.rejects(device.request(MessageFormat.write({ descriptorSet: 0x82, descriptors })), { rejected: undefined });
+    const responses = { 3: informed(" ".repeat(16), "6286"), 4: [0x82, [1, 7, 0x80, 4]] };
+    const { device } = await opened(rejecting(responses), { explain: rejections(model) });
+    await assert.rejects(device.request(listing(0x05)), { rejected: undefined }); // of the list's second half: the model sends it
     await device.close();
 });
 
@@ -170,15 +165,7 @@ test("the same command object may be sent twice at once", async () => {
     const { device, port } = await opened(acknowledging());
     const ping = new Ping();
     assert.deepEqual(await device.requestAll([ping, ping]), [undefined, undefined]);
-    assert.equal(
-        toHex(port.written[0]),
-        toHex(
-            Packet.build(
-                1,
-                [ping, ping].map((one) => ({ descriptor: 1, data: one.encode() })),
-            ).bytes,
-        ),
-    );
+    assert.equal(toHex(port.written[0]), toHex(pings(2)));
     await device.close();
 });
 

@@ -167,12 +167,9 @@ class Session {
         }
         const numbers = commands.map((command) => this.sent.push(command) - 1);
         this.happens("sent", { packet: toHex(bytes), commands: numbers });
-        this.write(bytes);
         const { pending } = this.client;
         for (const number of numbers) if (!pending.includes(this.sent[number])) this.happens("silent", { command: number });
     }
-
-    write() {} // a live request has a port
 
     receive({ bytes, chunk }) {
         const data = bytesOf(bytes);

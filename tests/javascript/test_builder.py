@@ -7,7 +7,6 @@ import math
 import random
 import urllib.parse
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import browser
@@ -16,21 +15,10 @@ from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from support import all_fields, driver, encode_request, heavy, model, set_of
-from workbench import workbench
+from workbench import visit
 
 pytestmark = heavy("Chromium")
-
-#: Fills in the form by its labels; defines `fill`.
-FILL = (Path(__file__).parent / "fill.js").read_text("utf-8")
-
-
-@pytest.fixture(scope="module")
-def page() -> Iterator[browser.Page]:
-    with browser.page() as opened:
-        opened.open(workbench("real") / "builder.html")
-        opened.run(f"{FILL}; 0")
-        yield opened
-        assert opened.complaints == []
+TOOL = "builder"
 
 
 def texts(value: Any) -> Any:
@@ -133,26 +121,6 @@ def test_answers(page: browser.Page) -> None:
 
 # --------------------------------------------------------------------------- devices, several fields, addresses
 
-#: Puts a value into a control that is found by a selector.
-PUT = """
-window.put = (selector, value) => {
-    const control = document.querySelector(selector);
-    if (control.type === "checkbox") control.checked = value;
-    else control.value = value;
-    control.dispatchEvent(new Event("input"));
-    if (control.type === "search") control.form.requestSubmit();
-};
-window.press = (words) => [...document.querySelectorAll("button")].find((one) => one.textContent === words).click();
-window.texts = (selector) => [...document.querySelectorAll(selector)].map((one) => one.textContent);
-0
-"""
-
-
-def start(page: browser.Page, fragment: str) -> None:
-    page.open("about:blank")  # another fragment alone loads nothing
-    page.open((workbench("real") / "builder.html").as_uri() + "#" + fragment)
-    page.run(PUT)
-
 
 def packet(page: browser.Page) -> bytes:
     return bytes.fromhex(page.run("document.querySelector('.mip-packet-bytes').textContent"))
@@ -160,8 +128,7 @@ def packet(page: browser.Page) -> bytes:
 
 def address(page: browser.Page) -> str:
     """The fragment of the address, which follows what is built after a moment."""
-    page.run("new Promise((done) => setTimeout(done, 500))")
-    text: str = page.run("location.hash.slice(1)")
+    text: str = page.run("pause(500).then(() => location.hash.slice(1))")
     return text
 
 
@@ -169,9 +136,7 @@ def address(page: browser.Page) -> str:
 def own(page: browser.Page) -> Iterator[browser.Page]:
     """The page, for tests that open other addresses; it is opened anew afterwards."""
     yield page
-    page.open("about:blank")
-    page.open(workbench("real") / "builder.html")
-    page.run(f"{FILL}; 0")
+    visit(page, TOOL)
 
 
 def test_it_begins_with_what_the_page_of_the_field_shows(own: browser.Page) -> None:
@@ -180,52 +145,48 @@ def test_it_begins_with_what_the_page_of_the_field_shows(own: browser.Page) -> N
     for name in ("3dm.message_format", "aiding.llh_position", "sensor.scaled_accel"):
         f = of.field(name)
         assert f is not None
-        start(own, name)
+        visit(own, TOOL, f"#{name}")
         assert packet(own) == samples.packet(f)
-    start(own, "3dm.message_format")
+    visit(own, TOOL, "#3dm.message_format")
     assert own.run("texts('.mip-meant')") == ["Sensor data", "Scaled accel", "Scaled gyro"]
 
 
 def test_numbers_in_hexadecimal_follow_the_set(own: browser.Page) -> None:
-    start(own, "3dm.message_format")
+    visit(own, TOOL, "#3dm.message_format")
     own.run("put('.mip-hex', '0x82')")
     set_, *fields = own.run("texts('.mip-meant')")
     assert set_ == "Filter data" and fields != ["Scaled accel", "Scaled gyro"]
     own.run("put('.mip-hex', '0x7')")
     assert packet(own)[7] == 7 and own.run("texts('.mip-meant')") == ["", "", ""]
     own.run("put('.mip-hex', '0x')")
-    assert "is not a whole number" in own.run("document.querySelector('.mip-wrong').textContent")
+    assert "is not a whole number" in own.run("text('.mip-wrong')")
 
 
 def test_elements_and_units_follow_the_frame(own: browser.Page) -> None:
-    start(own, "filter.initialization_config")
+    visit(own, TOOL, "#filter.initialization_config")
     labels = (
         "[...document.querySelectorAll('fieldset')].find((one) => one.querySelector('legend').textContent"
         ".startsWith('initial_position')).innerText.split(/\\s+/)"
     )
     shown = own.run(labels)
     assert {"latitude", "longitude", "height", "deg", "m"} <= {*shown} and "x" not in shown
-    own.run(
-        "(() => { const all = [...document.querySelectorAll('select')];"
-        " const found = all.find((one) => [...one.options].some((x) => x.textContent === '1 ecef'));"
-        " found.value = '1'; found.dispatchEvent(new Event('input')); })()"
-    )
+    frame = "[...document.querySelectorAll('select')].find((one) => one.textContent.includes('1 ecef'))"
+    own.run(f"{frame}.id = 'frame'; put('#frame', '1')")
     shown = own.run(labels)
     assert {"x", "y", "z", "m"} <= {*shown} and "latitude" not in shown and "deg" not in shown
 
 
 def test_several_fields(own: browser.Page) -> None:
     of = model("real")
-    start(own, "base.ping")
-    own.run("put('#mip-add', 'base.set_idle')")
-    own.run("put('#mip-add', 'base.resume')")
+    visit(own, TOOL, "#base.ping")
+    own.run("enter('#mip-add', 'base.set_idle')")
+    own.run("enter('#mip-add', 'base.resume')")
     assert packet(own) == codec.build(of, 1, [(1, b""), (2, b""), (6, b"")])
     own.run("document.querySelector('[aria-label=\"Up: field 3\"]').click()")
     assert packet(own) == codec.build(of, 1, [(1, b""), (6, b""), (2, b"")])
     own.run("document.querySelector('[aria-label=\"Remove: field 1\"]').click()")
     assert packet(own) == codec.build(of, 1, [(6, b""), (2, b"")])
-    own.run("const add = document.querySelector('#mip-add'); add.value = 'pps'; add.dispatchEvent(new Event('input'))")
-    offered = own.run("[...document.querySelectorAll('.mip-forms .mip-hits li')].map((one) => one.dataset.field)")
+    offered = own.run("put('#mip-add', 'pps'); data('.mip-forms .mip-hits li', 'field')")
     assert not [name for name in offered if name.startswith("3dm")], "of another set"
 
 
@@ -239,8 +200,8 @@ def test_several_fields(own: browser.Page) -> None:
 )
 def test_what_is_no_field_leads_to_the_hits_of_the_finder(own: browser.Page, fragment: str, field: str) -> None:
     """It leads to no packet: the first command of the specification is not what was meant."""
-    start(own, fragment)
-    hits = own.run("[...document.querySelectorAll('.mip-hits li')].map((one) => one.dataset.field)")
+    visit(own, TOOL, f"#{fragment}")
+    hits = own.run("data('.mip-hits li', 'field')")
     assert (field in hits) if field else not hits
     assert own.run("document.querySelector('.mip-packet-bytes')") is None
     assert own.run("document.querySelector('#mip-field').value") == fragment
@@ -263,18 +224,18 @@ def test_what_the_address_cannot_give_is_said(own: browser.Page) -> None:
         "%": "The address contains neither the name of a field nor a packet.",
         "base.ping": None,
     }.items():
-        start(own, fragment)
+        visit(own, TOOL, f"#{fragment}")
         assert own.run("document.querySelector('[role=status].mip-wrong')?.textContent ?? null") == problem, fragment
         assert urllib.parse.unquote(own.run("location.hash.slice(1)")) == fragment
         nothing = own.run("document.querySelector('.mip-packet-bytes')") is None
         assert nothing == (problem is not None and "left out" not in problem), "no packet that nobody asked for"
-    own.run("put('#mip-add', 'base.set_idle')")
+    own.run("enter('#mip-add', 'base.set_idle')")
     assert address(own) == f"packet={packet(own).hex().upper()}"
 
 
 def test_a_device_limits_what_may_be_sent(own: browser.Page) -> None:
     of = model("real")
-    start(own, "base.ping")
+    visit(own, TOOL, "#base.ping")
     for d in of.devices:
         own.run(f"put('#mip-device', {d.id!r})")
         shown = set(browsed(own))
@@ -301,22 +262,22 @@ def browsed(page: browser.Page) -> dict[str, str]:
 
 
 def test_a_field_of_several_sets_is_built_into_the_named_one(own: browser.Page) -> None:
-    start(own, "gnss_2.dop")
+    visit(own, TOOL, "#gnss_2.dop")
     assert packet(own)[2] == 0x92
-    own.run("put('#mip-field', 'gnss_1.dop')")
+    own.run("enter('#mip-field', 'gnss_1.dop')")
     assert packet(own)[2] == 0x91
 
 
 def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) -> None:
     """The device may have what the sources of an incomplete profile do not mention."""
-    start(own, "3dm-gq7 filter.run")
+    visit(own, TOOL, "#3dm-gq7 filter.run")
     offered = browsed(own)
     assert offered["filter.run"] == "Run navigation filter"
     assert offered["base.ping"] == "Ping (likely)"
     assert offered["3dm.poll_imu_data"] == "Poll IMU data (not known)"
-    tool = "document.querySelector('#tool > [role=status]').textContent"
+    tool = "text('#tool > [role=status]')"
     assert "The profile of the 3DM-GQ7-GNSS/INS is incomplete: Only some pages" in own.run(tool)
-    own.run("put('#mip-field', '3dm.poll_imu_data')")
+    own.run("enter('#mip-field', '3dm.poll_imu_data')")
     assert own.run("texts('.mip-device-notes li')") == ["3DM-GQ7-GNSS/INS: it is not known whether it supports this"]
     own.run("put('#mip-device', '3dm-gx5-15')")
     assert "incomplete" not in own.run(tool)
@@ -324,12 +285,12 @@ def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) 
 
 def test_a_device_says_what_differs(own: browser.Page) -> None:
     d, s = next((d, s) for d in model("real").devices for s in d.certain if s.differs and s.field.role == m.COMMAND)
-    start(own, f"{d.id} {s.field.full_name}")
+    visit(own, TOOL, f"#{d.id} {s.field.full_name}")
     notes = own.run("texts('.mip-device-notes li')")
     assert f"{d.title}: only {', '.join(f.name for f in s.functions)}" in notes
-    start(own, "3dm-gx5-15 3dm.message_format")
+    visit(own, TOOL, "#3dm-gx5-15 3dm.message_format")
     assert own.run("texts('.mip-device-notes li')") == ["3DM-GX5-15: it is not known to support this"]
-    start(own, "3dm-gx5-15 3dm.data_stream_control")
+    visit(own, TOOL, "#3dm-gx5-15 3dm.data_stream_control")
     said = "3DM-GX5-15: descriptor_set: values of 3dm.legacy_data_stream; only imu, filter"
     assert said in own.run("texts('.mip-device-notes li')")
 
@@ -337,7 +298,7 @@ def test_a_device_says_what_differs(own: browser.Page) -> None:
 def test_optional_parameters(own: browser.Page) -> None:
     f = model("real").field("filter.accel_magnitude_error_adaptive_measurement")
     assert f is not None
-    start(own, f.full_name)
+    visit(own, TOOL, f"#{f.full_name}")
     least = packet(own)
     for _ in range(6):
         own.run("document.querySelector('.mip-more').click()")
@@ -351,7 +312,7 @@ def test_optional_parameters(own: browser.Page) -> None:
 
 def test_rates_in_hz_become_decimations(own: browser.Page) -> None:
     """On a device whose base rate is known; what the port must carry stays in view."""
-    start(own, "3dm.message_format")
+    visit(own, TOOL, "#3dm.message_format")
     assert own.run("document.querySelector('.mip-hertz')") is None
     assert own.run("document.querySelector('.mip-totals').hidden")
     own.run("put('#mip-device', '3dm-cv7-gnss-ins')")
@@ -359,15 +320,11 @@ def test_rates_in_hz_become_decimations(own: browser.Page) -> None:
     assert own.run(rates) == ["100", "100"]
     own.run("put('.mip-hertz', '300')")
     assert packet(own)[9:12] == bytes((4, 0, 3))  # scaled_accel at a third of 1000 Hz
-    own.run("document.querySelector('.mip-hertz').dispatchEvent(new Event('change'))")
     assert own.run(rates) == ["333.333", "100"]
     need = (6 + 14) * 1000 / 3 + 14 * 100
     wanted = f"These rates need {math.ceil(need)} bytes/s; over a UART at least {math.ceil(10 * need)} Bd."
-    assert own.run("document.querySelector('.mip-totals').textContent") == wanted
-    own.run("document.querySelector('.mip-hertz').closest('p').querySelector('input').value = '2'")
-    own.run(
-        "document.querySelector('.mip-hertz').closest('p').querySelector('input').dispatchEvent(new Event('input'))"
-    )
+    assert own.run("text('.mip-totals')") == wanted
+    own.run("put('p:has(.mip-hertz) input', '2')")
     assert own.run(rates) == ["500", "100"] and packet(own)[11] == 2
     own.size(1400)
     own.run("window.scrollTo(0, document.body.scrollHeight)")
@@ -388,7 +345,7 @@ def test_everything_can_be_copied(own: browser.Page, way: str) -> None:
     """Bytes, text and source code, even where a page may not write to the clipboard itself."""
     own.call("Emulation.setFocusEmulationEnabled", enabled=True)
     own.browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
-    start(own, "3dm.pps_source_control")
+    visit(own, TOOL, "#3dm.pps_source_control")
     if way == "a selection":
         own.run("navigator.clipboard.writeText = () => Promise.reject(new Error('not allowed')); 0")
     buttons = "[...document.querySelectorAll('.mip-output .mip-copy')]"
@@ -398,8 +355,7 @@ def test_everything_can_be_copied(own: browser.Page, way: str) -> None:
     for i in range(own.run(f"{buttons}.length")):
         click = f"(() => {{ window.button = {buttons}[{i}]; window.button.click(); }})()"
         own.call("Runtime.evaluate", expression=click, userGesture=True)
-        own.run("new Promise((done) => setTimeout(done, 50))")
-        assert own.run("window.button.textContent") == "Copied"
+        assert own.run("pause(50).then(() => window.button.textContent)") == "Copied"
         copied.append(clipboard(own))
     assert {*shown} <= {*copied} and all(copied)
     values = [text for text in copied if "GPIO" in text.upper() and text not in shown]

@@ -2,32 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import browser
 import pytest
 from searches import FIELDS
 from support import heavy
-from workbench import workbench
+from workbench import visit
 
 pytestmark = heavy("Chromium")
-
-
-@pytest.fixture(scope="module")
-def page() -> Iterator[browser.Page]:
-    with browser.page() as opened:
-        opened.open(workbench("real") / "finder.html")
-        yield opened
-        assert opened.complaints == []
+TOOL = "finder"
 
 
 def found(page: browser.Page, text: str) -> list[Any]:
-    page.run(
-        f"(() => {{ const input = document.querySelector('input'); input.value = {text!r};"
-        " input.dispatchEvent(new Event('input')); })()"
-    )
-    fields: list[Any] = page.run("[...document.querySelectorAll('li[data-field]')].map((item) => item.dataset.field)")
+    fields: list[Any] = page.run(f"put('input', {text!r}); data('li[data-field]', 'field')")
     return fields
 
 
@@ -38,8 +26,8 @@ def test_what_people_type(page: browser.Page, text: str, field: str) -> None:
 
 def test_nothing_found(page: browser.Page) -> None:
     assert found(page, "xyzzy") == []
-    assert page.run("document.querySelector('.mip-results').textContent") == "Nothing found."
-    assert found(page, "") == [] and page.run("document.querySelector('.mip-results').textContent") == ""
+    assert page.run("text('.mip-results')") == "Nothing found."
+    assert found(page, "") == [] and page.run("text('.mip-results')") == ""
 
 
 def test_without_a_reference_hits_lead_to_the_builder(page: browser.Page) -> None:
@@ -75,8 +63,7 @@ def test_enter_goes_to_the_first(page: browser.Page, field: str, href: str) -> N
     "text", ["75 65 01 02 02 01 E0 C6", "7565010202 01e0c6", r'b"\x75\x65\x01\x02\x02\x01\xe0\xc6"']
 )
 def test_a_packet_is_for_the_inspector(page: browser.Page, text: str) -> None:
-    page.open("about:blank")
-    page.open(workbench("real") / "finder.html")
+    visit(page, TOOL)
     found(page, text)
     first = "document.querySelector('.mip-results li a')"
     assert page.run(f"{first}.textContent") == "Packet: open in the inspector"

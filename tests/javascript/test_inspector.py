@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from typing import Any
 
 import browser
-import pytest
 from mipgen import model as m
 from mipgen.lower import codec
 from random_values import drawn
 from support import all_fields, heavy, model, set_of
-from workbench import workbench
+from workbench import visit
 
 pytestmark = heavy("Chromium")
+TOOL = "inspector"
 
 #: What the page shows, as data.
 READ = """
@@ -42,23 +42,9 @@ READ = """
 """
 
 
-@pytest.fixture(scope="module")
-def page() -> Iterator[browser.Page]:
-    with browser.page() as opened:
-        opened.open(workbench("real") / "inspector.html")
-        yield opened
-        assert opened.complaints == []
-        assert all(url.startswith("file://") for url in opened.asked), opened.asked
-
-
 def inspected(page: browser.Page, text: str, device: str = "") -> list[Any]:
     """What the page shows for a pasted text."""
-    page.run(f"document.querySelector('select').value = {device!r}")
-    page.run(
-        f"(() => {{ const input = document.querySelector('textarea'); input.value = {text!r};"
-        " input.dispatchEvent(new Event('input')); })()"
-    )
-    found: list[Any] = page.run(READ)
+    found: list[Any] = page.run(f"put('select', {device!r}); put('textarea', {text!r}); {READ}")
     return found
 
 
@@ -136,27 +122,18 @@ def test_every_field(page: browser.Page) -> None:
     compare(page, [codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, v))]) for f, v in chosen])
 
 
-def test_all_of_them_at_once_with_anything_between(page: browser.Page) -> None:
-    packets = [e.packet for e in model("real").examples if e.role != "field"]
-    between = ["", "\n-- log --\n", " 75 ", "\n$GPGGA,12\n", " 75 65 80 ff "]
-    text = "".join(p.hex(" ") + between[i % len(between)] for i, p in enumerate(packets))
-    assert [bytes.fromhex(p["bytes"]) for p in inspected(page, text) if p["kind"] == "packet"] == packets
-
-
 def test_a_text_without_bytes_is_told_from_none(page: browser.Page) -> None:
     shown = {}
     for text in ("", "xyzzy plugh"):
         assert inspected(page, text) == []
-        shown[text] = page.run("document.querySelector('.mip-output').textContent")
-    assert shown == {
-        "": "Nothing to read yet.",
-        "xyzzy plugh": ("No bytes were found in this text; hexadecimal is needed. Not read as bytes: xyzzy plugh"),
-    }
+        shown[text] = page.run("text('.mip-output')")
+    said = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: xyzzy plugh"
+    assert shown == {"": "Nothing to read yet.", "xyzzy plugh": said}
 
 
 def others(page: browser.Page, text: str) -> list[str]:
     assert inspected(page, text) == []
-    found: list[str] = page.run("[...document.querySelectorAll('.mip-other .mip-wrong')].map((one) => one.textContent)")
+    found: list[str] = page.run("texts('.mip-other .mip-wrong')")
     return found
 
 
@@ -188,8 +165,7 @@ def test_a_field_of_several_sets_is_named_in_its_own(page: browser.Page) -> None
     assert f is not None
     for number, name in ((0x81, "gnss_data.dop"), (0x92, "gnss_2.dop")):
         inspected(page, codec.build(model("real"), number, [(f.descriptor, bytes(f.max_size))]).hex())
-        heading = page.run("document.querySelector('.mip-field h3').textContent")
-        assert heading.endswith(f" (0x{number:02X},0x{f.descriptor:02X}) {name}")
+        assert page.run("text('.mip-field h3')").endswith(f" (0x{number:02X},0x{f.descriptor:02X}) {name}")
 
 
 def test_a_wrong_checksum(page: browser.Page) -> None:
@@ -246,13 +222,6 @@ def test_what_depends_on_the_device_is_said(page: browser.Page) -> None:
     assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [False] * 3
 
 
-#: Waits until an expression is true.
-WAIT = (
-    "(async () => {{ for (let i = 0; i < 500 && !({0}); i++) await new Promise((done) => setTimeout(done, 20));"
-    " return {0}; }})()"
-)
-
-
 def dropped(page: browser.Page, log: bytes) -> None:
     inspected(page, "")
     page.run(
@@ -261,9 +230,9 @@ def dropped(page: browser.Page, log: bytes) -> None:
         " const event = new DragEvent('drop', { dataTransfer: held, bubbles: true });"
         " document.querySelector('#tool').dispatchEvent(event); })()"
     )
-    assert page.run(WAIT.format("document.querySelector('.mip-log table') !== null"))
+    page.run("until(() => document.querySelector('.mip-log table'))")
     page.run("document.querySelector('.mip-pages').open = true")
-    assert page.run(WAIT.format("document.querySelectorAll('.mip-pages .mip-packet').length > 1"))
+    page.run("until(() => document.querySelectorAll('.mip-pages .mip-packet').length > 1)")
 
 
 def test_bits_of_a_log_are_those_of_its_device_in_the_state_of_their_record(page: browser.Page) -> None:
@@ -291,8 +260,7 @@ def test_a_log_is_dropped(page: browser.Page) -> None:
     for i in [*range(700), *range(710, 2000)]:
         data = ((5 * 10**9 + i * 10**7).to_bytes(8, "big"), bytes(12))
         parts.append(codec.build(of, 0x80, [(f.descriptor, x) for f, x in zip((time, accel), data, strict=True)]))
-    page.open("about:blank")
-    page.open(workbench("real") / "inspector.html")
+    visit(page, TOOL)
     dropped(page, b"".join(parts) + b"noise")
     assert page.run("document.querySelectorAll('.mip-output .mip-packet').length") == 0  # the example is gone
     rows = page.run(
@@ -303,15 +271,11 @@ def test_a_log_is_dropped(page: browser.Page) -> None:
         ["0x80,0x04", "1990", "100", "1, 10 samples missing"],
         ["0x80,0xD5", "1990", "100", "1, 10 samples missing"],
     ]
-    said = page.run("document.querySelector('.mip-log .mip-summary').textContent")
+    said = page.run("text('.mip-log .mip-summary')")
     assert said.startswith(f"{sum(map(len, parts)) + 5} bytes, 1990 packets; 5 bytes outside packets.")
-    page.run(
-        "(() => { const input = document.querySelector('#mip-log-packet'); input.value = 1500;"
-        " input.dispatchEvent(new Event('change')); })()"
-    )
+    page.run("put('#mip-log-packet', 1500)")
     wanted = parts[1499].hex(" ").upper()
-    found = f"[...document.querySelectorAll('.mip-pages .mip-packet')].some((one) => one.dataset.bytes === '{wanted}')"
-    assert page.run(WAIT.format(found))
+    page.run(f"until(() => data('.mip-pages .mip-packet', 'bytes').includes('{wanted}'))")
 
 
 def test_what_is_no_packet_leads_to_the_hits_of_the_finder(page: browser.Page) -> None:
@@ -323,6 +287,6 @@ def test_bytes_and_values_are_linked(page: browser.Page) -> None:
     """Pointing at the bytes of a value marks its row, and the other way round."""
     inspected(page, "75650C04042801041B55")
     page.run("document.querySelector('[data-value=source]').dispatchEvent(new Event('mouseover', { bubbles: true }))")
-    assert page.run("[...document.querySelectorAll('tr.mip-pointed')].map((row) => row.dataset.path)") == ["source"]
+    assert page.run("data('tr.mip-pointed', 'path')") == ["source"]
     colour = "getComputedStyle(document.querySelector({!r})).backgroundColor"
     assert page.run(colour.format("[data-value=source]")) == page.run(colour.format("[data-path=source] td"))

@@ -16,28 +16,14 @@ from mip_simulator.faults.kinds import parse_faults
 from mip_simulator.motion import parse_motion
 from mip_tools.web.server import Server
 from support import heavy
-from workbench import workbench
+from workbench import tab, visit
 
 pytestmark = heavy("Chromium")
 
 DEVICE = "3dm-cv7-gnss-ins"
 
-#: Presses a button by its words; `until` waits for a condition; downloads are kept in `saved`.
+#: Downloads are kept in `saved`; `fold` opens a part of the page.
 HELP = """
-window.press = (words) => {
-    const found = [...document.querySelectorAll("button")].find((one) => one.textContent === words && one.offsetParent);
-    if (!found) throw new Error(`there is no button ${words}`);
-    found.click();
-};
-window.until = async (condition, seconds = 30) => {
-    for (const end = performance.now() + seconds * 1000; performance.now() < end; ) {
-        const found = condition();
-        if (found) return found;
-        await new Promise((done) => setTimeout(done, 20));
-    }
-    throw new Error(`never: ${condition}`);
-};
-window.text = (selector) => document.querySelector(selector)?.textContent ?? "";
 window.saved = [];
 URL.createObjectURL = (blob) => { saved.push(blob); return "#"; };
 HTMLAnchorElement.prototype.click = function () { saved.at(-1).called = this.download; };
@@ -79,15 +65,14 @@ def served(**options: str) -> Iterator[Served]:
 
 @pytest.fixture
 def page() -> Iterator[browser.Page]:
-    with browser.page() as opened:
+    with tab() as opened:
         opened.size(1400)
         yield opened
         assert opened.complaints == []
 
 
 def opened(page: browser.Page, fragment: str) -> None:
-    page.open("about:blank")
-    page.open((workbench("real") / "live.html").as_uri() + "#" + fragment)
+    visit(page, "live", f"#{fragment}")
     page.run(HELP)
 
 
@@ -109,11 +94,9 @@ def test_identify_stream_and_see(page: browser.Page) -> None:
         assert "6292-" in page.run("text('.mip-identity')")
         assert page.run("document.querySelector('.mip-identity').dataset.device") == DEVICE
         started(page)
-        names = page.run("[...document.querySelectorAll('.mip-each > .mip-reading')].map((one) => one.dataset.field)")
+        names = page.run("data('.mip-each > .mip-reading', 'field')")
         assert sorted(names) == sorted(part.split("@")[0] for part in STREAMS.split(","))
-        values = page.run(
-            "[...document.querySelectorAll('[data-field=\"sensor.scaled_accel\"] dd')].map((one) => one.textContent)"
-        )
+        values = page.run("texts('[data-field=\"sensor.scaled_accel\"] dd')")
         assert len(values) == 3 and math.isclose(float(values[2].removesuffix(" g")), -1, abs_tol=0.05)
         # The plots and the picture are not empty: they have pixels.
         painted = (
@@ -136,8 +119,8 @@ def test_connecting_shows_inertial_data_attitude_and_position_at_once(
         opened(page, f"serve={at.server.address}")
         page.run("press('Connect'); until(() => text('.mip-attitude + .mip-angles'))")
         fields = {"sensor.scaled_accel", "sensor.scaled_gyro", attitude}
-        shown = "[...document.querySelectorAll('.mip-each > .mip-reading:has(canvas)')].map((one) => one.dataset.field)"
-        page.run(f"until(() => {json.dumps(sorted(fields))}.every((one) => ({shown}).includes(one)))")
+        shown = "data('.mip-each > .mip-reading:has(canvas)', 'field')"
+        page.run(f"until(() => {json.dumps(sorted(fields))}.every((one) => {shown}.includes(one)))")
         if device != DEVICE:
             return
         page.run("until(() => document.querySelector('[aria-label=Track]'))")
@@ -157,10 +140,7 @@ def test_commands_from_their_page(page: browser.Page) -> None:
             ("base.get_device_info", "", "model_name"),
             ("3dm.pps_source_control", "99", "PPS source control refused: invalid parameter."),
         ):
-            page.run(
-                f"(() => {{ const search = document.querySelector('#mip-field'); search.value = {name!r};"
-                " search.dispatchEvent(new Event('input')); search.form.requestSubmit(); })()"
-            )
+            page.run(f"enter('#mip-field', {name!r})")
             if change:
                 page.run(
                     "(() => { const choice = [...document.querySelectorAll('.mip-form select')].at(-1);"
@@ -329,11 +309,9 @@ SERIAL = """
 
 def test_a_serial_port_whose_baud_rate_is_searched(page: browser.Page) -> None:
     with served() as at:
-        page.open("about:blank")
         script = SERIAL.replace("RIGHT", "460800").replace("ADDRESS", json.dumps(at.server.address))
         page.call("Page.addScriptToEvaluateOnNewDocument", source=script)
-        page.open((workbench("real") / "live.html").as_uri() + f"#streams={STREAMS}")
-        page.run(HELP)
+        opened(page, f"streams={STREAMS}")
         page.run("press('Open a serial port …'); until(() => text('.mip-status') === 'Connected to 3DM-CV7-GNSS/INS.')")
         assert page.run("tried") == [115200, 3000000, 921600, 460800]
         started(page)

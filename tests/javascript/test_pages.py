@@ -8,34 +8,29 @@ from collections.abc import Iterator
 import browser
 import pytest
 from support import SPECS, heavy
-from workbench import workbench
+from workbench import tab, visit, workbench
 
 pytestmark = heavy("Chromium")
-PAGES = ("bandwidth.html", "builder.html", "finder.html", "inspector.html", "live.html")
+TOOLS = ("bandwidth", "builder", "finder", "inspector", "live")
 
 #: The fragments with which pages are opened that show little without.
-SHOWN = {
-    "finder.html": "#lever%20arm",
-    "builder.html": "#3dm.event_action_config",
-    "bandwidth.html": "#3dm-cv7-gnss-ins",
-}
+SHOWN = {"finder": "#lever%20arm", "builder": "#3dm.event_action_config", "bandwidth": "#3dm-cv7-gnss-ins"}
 
 
 @pytest.fixture(scope="module")
 def page() -> Iterator[browser.Page]:
-    with browser.page() as opened:
+    with tab() as opened:
         yield opened
 
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", TOOLS)
 def test_a_page(page: browser.Page, spec: str, name: str) -> None:
     page.complaints.clear()
     page.asked.clear()
     for width in (390, 1400, 1920):
         page.size(width)
-        page.open("about:blank")  # another fragment alone loads nothing
-        page.open((workbench(spec) / name).as_uri() + SHOWN.get(name, ""))
+        visit(page, name, SHOWN.get(name, ""), spec)
         page.run("document.querySelectorAll('details').forEach((part) => (part.open = true))")
         assert page.run("document.querySelector('#tool').children.length") > 0
         assert page.run("document.documentElement.scrollWidth") <= width
@@ -44,19 +39,18 @@ def test_a_page(page: browser.Page, spec: str, name: str) -> None:
     controls = "[...document.querySelectorAll('input, select, textarea')]"
     unnamed = f"{controls}.filter((one) => !one.labels.length && !one.ariaLabel).length"
     assert page.run(unnamed) == 0
-    if name == "inspector.html":  # it begins with an example of this specification
+    if name == "inspector":  # it begins with an example of this specification
         assert page.run("document.querySelectorAll('.mip-packet .mip-right').length") > 0
     links = page.run("[...document.querySelectorAll('nav a')].map((link) => link.getAttribute('href').split('#')[0])")
-    assert links == list(PAGES)
+    assert links == [f"{name}.html" for name in TOOLS]
     assert all((workbench(spec) / link).is_file() for link in links)
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", TOOLS)
 def test_a_phone(page: browser.Page, name: str) -> None:
     """No control is off the screen, the navigation has one line, and the page is not long."""
     page.size(390)
-    page.open("about:blank")
-    page.open((workbench("real") / name).as_uri() + {**IN_USE, "inspector.html": ""}[name])
+    visit(page, name, {**IN_USE, "inspector": ""}[name])
     controls = "[...document.querySelectorAll('#tool :is(input, select, textarea, button)')]"
     off = "one.offsetParent && one.getBoundingClientRect().right > innerWidth"
     assert page.run(f"{controls}.filter((one) => {off}).map((one) => one.outerHTML)") == []
@@ -65,35 +59,33 @@ def test_a_phone(page: browser.Page, name: str) -> None:
 
 
 @pytest.mark.parametrize("fragment", ["%", "%E0%A4%A"])
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", TOOLS)
 def test_any_fragment_is_an_address(page: browser.Page, name: str, fragment: str) -> None:
     page.complaints.clear()
-    page.open("about:blank")
-    page.open((workbench("real") / name).as_uri() + "#" + fragment)
+    visit(page, name, f"#{fragment}")
     assert page.run("document.querySelector('#tool').children.length") > 0
     assert page.complaints == []
 
 
 #: What pages show when they are in use.
 IN_USE = {
-    "inspector.html": "#bytes=75650C04042801041B55+75650C0704F1280003A801B681+75650C0404F128032AFD",
-    "builder.html": "#device=3dm-cv7-gnss-ins&packet=75650C0B0B0F01820204000A05000A300C",
-    "bandwidth.html": "#device=3dm-gx5-15&streams=sensor.scaled_accel@100",
-    "finder.html": "#find=lever%20arm",
-    "live.html": "#device=3dm-gx5-15&streams=sensor.scaled_accel@100",
+    "inspector": "#bytes=75650C04042801041B55+75650C0704F1280003A801B681+75650C0404F128032AFD",
+    "builder": "#device=3dm-cv7-gnss-ins&packet=75650C0B0B0F01820204000A05000A300C",
+    "bandwidth": "#device=3dm-gx5-15&streams=sensor.scaled_accel@100",
+    "finder": "#find=lever%20arm",
+    "live": "#device=3dm-gx5-15&streams=sensor.scaled_accel@100",
 }
 
 
 @heavy("Chromium and npm")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", TOOLS)
 def test_axe_finds_nothing(page: browser.Page, name: str, scheme: str) -> None:
     page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
     page.size(1400)
-    page.open("about:blank")
-    page.open((workbench("real") / name).as_uri() + IN_USE[name])
+    visit(page, name, IN_USE[name])
     page.run("document.querySelectorAll('details:not(.mip-browse details)').forEach((part) => (part.open = true))")
-    if name == "live.html":  # what is there after a connection
+    if name == "live":  # what is there after a connection
         page.run("document.querySelectorAll('#tool [hidden]').forEach((part) => (part.hidden = false))")
     page.run(f"{browser.axe()}; 0")
     found = page.run(
@@ -102,17 +94,6 @@ def test_axe_finds_nothing(page: browser.Page, name: str, scheme: str) -> None:
     )
     assert found == []
 
-
-#: Fills in an input, or chooses.
-PUT = """
-window.put = (selector, value) => {
-    const it = document.querySelector(selector);
-    it.value = value;
-    it.dispatchEvent(new Event("input", { bubbles: true }));
-    it.dispatchEvent(new Event("change", { bubbles: true }));
-};
-0
-"""
 
 #: Tool -> the actions of a user, and a part of the address afterwards.
 ACTS = {
@@ -147,24 +128,22 @@ SEEN = """[
 @pytest.fixture(scope="module")
 def other() -> Iterator[browser.Page]:
     """Another browser, with a profile of its own."""
-    with browser.page() as opened:
+    with tab() as opened:
         yield opened
 
 
 @pytest.mark.parametrize("tool", sorted(ACTS))
 def test_a_link_opens_the_same_in_another_browser(page: browser.Page, other: browser.Page, tool: str) -> None:
     acts, wanted = ACTS[tool]
-    for one in (page, other):
-        one.size(1400)
-        one.open("about:blank")
-    page.open(workbench("real") / f"{tool}.html")
-    page.run(PUT)
-    page.run(f"(() => {{ {acts} }})()")
-    page.run("new Promise((done) => setTimeout(done, 800))")  # the address follows
+    page.size(1400)
+    other.size(1400)
+    visit(page, tool)
+    page.run(f"{acts}; pause(800)")  # the address follows
     link = page.run("location.href")
     assert wanted in urllib.parse.unquote(link), link
+    other.open("about:blank")
     other.open(link)
-    other.run("new Promise((done) => setTimeout(done, 300))")
+    other.run("pause(300)")
     seen, again = page.run(SEEN), other.run(SEEN)
     search = {"mip-field", "mip-add"}  # the address keeps what is chosen there, not what is typed
     assert [x for x in again[0] if x[0] not in search] == [x for x in seen[0] if x[0] not in search]

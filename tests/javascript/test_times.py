@@ -19,8 +19,7 @@ PACKAGES = {"real": real, "invented": mip}
 
 def answers(spec: str, packets: Iterable[tuple[bytes | str, str | None]]) -> list[dict[str, Any]]:
     words = ((x if isinstance(x, str) else x.hex(), device or "") for x, device in packets)
-    lines = "".join(" ".join(line).rstrip() + "\n" for line in words)
-    return list(of_script("times.mjs", spec, lines))
+    return of_script("times", spec, (" ".join(line).rstrip() for line in words))
 
 
 @small("the real modules of JavaScript")

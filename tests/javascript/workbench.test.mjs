@@ -289,62 +289,33 @@ const ticks = (from, count, ...rest) => Array.from({ length: count }, (_, i) => 
 
 test("times are those of the clocks with and without a date", { skip: !real && "of the real one" }, async () => {
     const { spanText, survey } = globalThis.mip;
-    const week = "2024-02-08T00:00";
-    for (const [rows, device, rate, texts, read] of [
+    const dated = (from, to) => `2024-02-08T00:00:00.${from}Z to 2024-02-08T00:00:00.${to}Z`;
+    const undated = (from, to) => `device clock ${from} to ${to} s, no date: not synchronized`;
+    const [older, gx5] = ["sensor.gps_timestamp: flags read as those of generations 4 and 5 (recognized)", "device 3DM-GX5-25"];
+    for (const [rows, device, texts, read, rate = 100] of [
         // three flags: valid with and without the device
-        [
-            ticks(345618, 40, 2300, 5),
-            undefined,
-            100,
-            [`${week}:00.000Z to ${week}:00.390Z`],
-            "sensor.gps_timestamp: flags read as those of generations 4 and 5 (recognized)",
-        ],
-        [ticks(345618, 40, 2300, 7), "3dm-gx5-25", 100, [`${week}:00.000Z to ${week}:00.390Z`], "device 3DM-GX5-25"],
-        [
-            ticks(345618, 40, 2300, 7),
-            "3dm-cv7-ar",
-            100,
-            ["device clock 345618 to 345618.39 s, no date: not synchronized"],
-            "device 3DM-CV7-AR",
-        ],
+        [ticks(345618, 40, 2300, 5), undefined, [dated("000", "390")], older],
+        [ticks(345618, 40, 2300, 7), "3dm-gx5-25", [dated("000", "390")], gx5],
+        [ticks(345618, 40, 2300, 7), "3dm-cv7-ar", [undated(345618, 345618.39)], "device 3DM-CV7-AR"],
         // five flags later in the log: flags 5 before them are not valid
         [
             [...ticks(345618, 20, 2300, 5), ...ticks(345618.2, 20, 2300, 0x1d)],
             undefined,
-            100,
-            [`${week}:00.200Z to ${week}:00.390Z; device clock 345618 to 345618.19 s, no date: not synchronized`],
+            [`${dated("200", "390")}; ${undated(345618, 345618.19)}`],
             "",
         ],
-        [ticks(12.5, 40, 0, 0), "3dm-gx5-25", 100, ["device clock 12.5 to 12.89 s, no date: not synchronized"], "device 3DM-GX5-25"],
-        [
-            [...ticks(5, 40, 0, 0), ...ticks(0.5, 40, 0, 0)],
-            "3dm-gx5-25",
-            100,
-            ["device clock 5 to 5.39 s, no date: not synchronized", "device clock 0.5 to 0.89 s, no date: not synchronized"],
-            "device 3DM-GX5-25",
-        ],
-        [
-            [...ticks(604799.5, 50, 0, 0), ...ticks(0, 50, 0, 0)],
-            "3dm-gx5-25",
-            100,
-            ["device clock 604799.5 to 604800.49 s, no date: not synchronized"],
-            "device 3DM-GX5-25",
-        ],
-        [
-            [...ticks(12, 40, 0, 0), ...ticks(345618, 40, 2300, 7)],
-            "3dm-gx5-25",
-            100,
-            [`${week}:00.000Z to ${week}:00.390Z; device clock 12 to 12.39 s, no date: not synchronized`],
-            "device 3DM-GX5-25",
-        ],
-        [ticks(NaN, 40, 0, 0), "3dm-gx5-25", undefined, [], "device 3DM-GX5-25"],
-        [Array(40).fill([7, 0, 0]), "3dm-gx5-25", undefined, ["device clock 7 to 7 s, no date: not synchronized"], "device 3DM-GX5-25"],
+        [ticks(12.5, 40, 0, 0), "3dm-gx5-25", [undated(12.5, 12.89)], gx5],
+        [[...ticks(5, 40, 0, 0), ...ticks(0.5, 40, 0, 0)], "3dm-gx5-25", [undated(5, 5.39), undated(0.5, 0.89)], gx5],
+        [[...ticks(604799.5, 50, 0, 0), ...ticks(0, 50, 0, 0)], "3dm-gx5-25", [undated(604799.5, 604800.49)], gx5],
+        [[...ticks(12, 40, 0, 0), ...ticks(345618, 40, 2300, 7)], "3dm-gx5-25", [`${dated("000", "390")}; ${undated(12, 12.39)}`], gx5],
+        [ticks(NaN, 40, 0, 0), "3dm-gx5-25", [], gx5, null],
+        [Array(40).fill([7, 0, 0]), "3dm-gx5-25", [undated(7, 7)], gx5, null],
     ]) {
         const log = stamped(rows);
         const found = await survey(protocol, () => pieces(log, 4096), undefined, device);
         const [{ rhythm, valid }] = found.fields;
         const shown = found.spans.map((span) => spanText(protocol, span));
-        assert.deepEqual([rhythm.rate && Math.round(rhythm.rate), rhythm.gaps, shown, found.read], [rate, 0, texts, read]);
+        assert.deepEqual([rhythm.rate ? Math.round(rhythm.rate) : null, rhythm.gaps, shown, found.read], [rate, 0, texts, read]);
         assert.ok(valid <= rows.length);
     }
 });

@@ -8,8 +8,6 @@ from __future__ import annotations
 import json
 import struct
 import sys
-import time
-from collections.abc import Callable
 from typing import Any
 
 from mip_protocol import (
@@ -30,17 +28,14 @@ from mip_protocol import (
 from mip_protocol.codec import single_from_bits, single_to_bits
 from mip_protocol.field import Structure, chosen
 from mip_protocol.reflection import Parameter, info
-from port import Port
 
 
 def answer(request: Any) -> dict[str, Any]:
     try:
-        known = {"parse": parse, "decode": decode, "encode": encode, "client": client, "live": live}
+        known = {"parse": parse, "decode": decode, "encode": encode, "client": client}
         return known[request["op"]](request)
     except EncodeError as error:
         return {"error": error.kind}
-    except OSError:
-        return {"error": "port"}
     except (KeyError, TypeError, ValueError, AttributeError):
         return {"error": "request"}
 
@@ -281,12 +276,10 @@ class Session:
         self.sent: list[Command] = []
         self.events: list[dict[str, Any]] = []
 
-    def known(self) -> dict[str, Callable[[dict[str, Any]], None]]:
-        return {"send": self.send, "receive": self.receive, "time": self.time, "end": self.end}
-
     def play(self, steps: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        kinds = {"send": self.send, "receive": self.receive, "time": self.time, "end": self.end}
         for step in steps:
-            self.known()[step["step"]](step)
+            kinds[step["step"]](step)
         return self.events
 
     def number(self, command: Command) -> int:
@@ -310,13 +303,9 @@ class Session:
             return
         self.sent += commands
         self.happens("sent", packet=packet.hex(), commands=[self.number(c) for c in commands])
-        self.write(packet)
         for command in commands:
             if not any(c is command for c in self.client.pending):
                 self.happens("silent", command=self.number(command))
-
-    def write(self, packet: bytes) -> None:
-        """A `live` request has a port."""
 
     def command(self, number: int, field: dict[str, Any]) -> Any:
         kinds = registry.types(number, field["descriptor"])
@@ -366,61 +355,6 @@ class Session:
         else:
             trailing = type(event.response).decode_with_trailing(event.raw.data)[1]  # type: ignore[union-attr]
             self.happens("acknowledged", command=number, response=with_values(event.raw, event.response, trailing))
-
-
-# --------------------------------------------------------------------------- a client at a port
-
-
-def live(request: dict[str, Any]) -> dict[str, Any]:
-    if not isinstance(request["steps"], list) or not isinstance(request["port"], str):
-        raise ValueError("no list of steps, or no port")
-    port = Port(request["port"])
-    try:
-        return {"events": Live(port).play(request["steps"])}
-    finally:
-        port.close()
-
-
-class Live(Session):
-    """The same at a port, with the time of a clock."""
-
-    def __init__(self, port: Port) -> None:
-        super().__init__()
-        self.port = port
-        self.start = time.monotonic()
-        self.told = False  # the closed port was reported
-
-    def known(self) -> dict[str, Callable[[dict[str, Any]], None]]:
-        return {"send": self.send, "answers": self.answers, "listen": self.listen, "end": self.end}
-
-    def tick(self) -> None:
-        self.now = int(1000 * (time.monotonic() - self.start))
-
-    def send(self, step: dict[str, Any]) -> None:
-        self.tick()
-        super().send(step)
-
-    def write(self, packet: bytes) -> None:
-        self.port.write(packet)
-
-    def answers(self, step: dict[str, Any]) -> None:
-        while self.client.pending:
-            self.read(0.1)
-
-    def listen(self, step: dict[str, Any]) -> None:
-        if step["milliseconds"] < 0:
-            raise ValueError("time does not go back")
-        end = time.monotonic() + step["milliseconds"] / 1000
-        while (left := end - time.monotonic()) > 0:
-            self.read(min(left, 0.1))
-
-    def read(self, seconds: float) -> None:
-        data = self.port.read(seconds)
-        self.tick()
-        self.show(self.client.receive(data, now=self.now / 1000))
-        if self.port.closed and not self.told:
-            self.told = True
-            self.happens("closed")
 
 
 def main() -> None:

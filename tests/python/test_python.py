@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import inspect
 import os
+import pickle
 import shutil
 import subprocess
 import sys
@@ -62,39 +62,11 @@ def test_constructors_build_the_shortest_form() -> None:
     assert not settings.apply(1, mode.FAST, 1).answered and settings.save(1).answered
 
 
-def test_complaints_name_the_value() -> None:
-    tools, types = mip.tools, mip.types
-    zero = types.Point(0, 0)
-    track = types.Segment(zero, zero, (0, 0))
-    vectors = ((0, 0, 0), (0, 0))
-    arrays = mip.measurements.Arrays
-    for make, text in (
-        (lambda: tools.List.write(tuple(range(200))), "items has 200 elements, a field holds 125"),
-        (lambda: tools.List.write((1, 1 << 16)), "items[1] is 65536, needs 0 to 65535"),
-        (lambda: tools.List.write(("x",)), "items[0] is 'x', needs a whole number from 0 to 65535"),
-        (lambda: tools.List.write(tuple(range(300))), "items has 300 elements, a field holds 125"),
-        (lambda: tools.List.write((1, None)), "items[1] is None"),
-        (lambda: arrays((0, 0, 0), (0, 0), vectors, (zero, zero), track), "vectors[1] has 2 elements, needs 3"),
-        (lambda: mip.measurements.Health("1", 0), "result is '1', needs a Health"),
-    ):
-        with pytest.raises(mip.errors.EncodeError) as error:
-            make()
-        assert error.value.detail == text
-
-
-def test_values_are_checked_where_they_are_made() -> None:
-    accel = real.sensor.ScaledAccel
-    for wrong in ((1, 2), (1, 2, 3, 4), 1, "abc", None):
-        with pytest.raises(real.errors.EncodeError, match=r"scaled_accel (is|has)"):
-            accel(wrong)
-    assert list(inspect.signature(accel).parameters) == ["scaled_accel"]
-    decoded = accel.decode(accel((1, 2, 3)).encode())
-    assert decoded == accel((1, 2, 3)) and decoded.encode() == accel((1, 2, 3)).encode()
-
-
 def test_complaints_have_the_path_and_the_type() -> None:
     """None of them is one of the module `struct`."""
-    dm, types, sensor = real.mip_3dm, real.types, real.sensor
+    dm, types, sensor, tools, data = real.mip_3dm, real.types, real.sensor, mip.tools, mip.measurements
+    zero = mip.types.Point(0, 0)
+    arrays = ((zero, zero), mip.types.Segment(zero, zero, (0, 0)))
     rates = (types.DescriptorRate(4, 1), types.DescriptorRate(4, 1))
     rates[1].decimation = 70000  # a part that was changed after it was made
     for make, text in (
@@ -118,17 +90,17 @@ def test_complaints_have_the_path_and_the_type() -> None:
             lambda: sensor.ScaledAccel((1e300, 2, 3)),
             "range: scaled_accel[0] is 1e+300, needs -3.4028235e+38 to 3.4028235e+38",
         ),
+        (lambda: tools.List.write(tuple(range(200))), "count: items has 200 elements, a field holds 125"),
+        (lambda: tools.List.write((1, 1 << 16)), "range: items[1] is 65536, needs 0 to 65535"),
+        (
+            lambda: data.Arrays((0, 0, 0), (0, 0), ((0, 0, 0), (0, 0)), *arrays),
+            "count: vectors[1] has 2 elements, needs 3",
+        ),
+        (lambda: data.Health("1", 0), "range: result is '1', needs a Health"),
     ):
-        with pytest.raises(real.errors.EncodeError) as error:
+        with pytest.raises((real.errors.EncodeError, mip.errors.EncodeError)) as error:
             make()
         assert str(error.value) == text
-
-
-def test_arguments_of_a_wrong_type() -> None:
-    with pytest.raises(TypeError, match=r"must be bytes, not text; write bytes.fromhex\('75 65'\)"):
-        real.packet.Packet("75 65")
-    with pytest.raises(TypeError, match="baud rate '115200': must be a whole number, such as 115200"):
-        real.device.open_port("localhost:1", "115200")
 
 
 def test_a_port_may_be_a_path() -> None:
@@ -143,25 +115,11 @@ def test_a_port_may_be_a_path() -> None:
 
 def test_errors_can_be_pickled() -> None:
     """A pool of processes passes them on in this way."""
-    code = """
-import pickle
-from mip_protocol import *
-for error in (Truncated(2, 1), DecodeError("count", "x"), PacketError("sync", "y"), EncodeError("range", "z"),
-              MissingResponse("base.ping")):
-    again = pickle.loads(pickle.dumps(error))
-    assert (type(again), str(again), again.kind) == (type(error), str(error), error.kind), again
-print(Truncated(2, 1))
-"""
-    assert user(REAL, code) == "truncated: 2 bytes needed, 1 left\n"
-
-
-def test_meaning_depends_on_a_sibling_or_the_device() -> None:
-    pin = mip.tools.Pin.write(mip.tools.Drive.SERIAL, 0x21)
-    assert pin.meaning("use") is mip.tools.SerialUse.TRANSMIT
-    assert mip.tools.Pin.write(mip.tools.Drive.OFF, 1).meaning("use") == 1
-    status = mip.tools.StatusShort(1 << 12)
-    assert mip.tools.ModelBFaults.ACCEL in status.meaning("flags", "model-b")
-    assert mip.tools.ModelAFaults.CLOCK not in status.meaning("flags", "model-a")
+    e = real.errors
+    for error in (e.Truncated(2, 1), e.PacketError("sync", "y"), e.EncodeError("range", "z"), e.MissingResponse("x")):
+        again = pickle.loads(pickle.dumps(error))
+        assert (type(again), str(again), again.kind) == (type(error), str(error), error.kind), again
+    assert str(e.Truncated(2, 1)) == "truncated: 2 bytes needed, 1 left"
 
 
 def test_repeated_fields_belong_to_their_own_set() -> None:
@@ -180,19 +138,6 @@ def test_repeated_fields_belong_to_their_own_set() -> None:
         assert got.packet() == packet
     assert kind.find(real.packet.PacketBuilder(0x80).add(kind.DESCRIPTOR, sent.encode()).build()) is None
     assert not hasattr(kind, "SET") and real.registry.by_name("gnss_2.fix_info") is kind
-
-
-# --------------------------------------------------------------------------- core
-
-
-def test_builder_refuses_and_stays_valid() -> None:
-    builder = mip.packet.PacketBuilder(1).add(1, bytes(250))
-    with pytest.raises(mip.errors.EncodeError, match="length"):
-        builder.add(1, bytes(2))
-    assert len(builder.add(1, b"\x00").build().payload) == 255
-    for no_set in (0, 0xFF, 256):
-        with pytest.raises(mip.errors.EncodeError, match="set: "):
-            mip.packet.PacketBuilder(no_set)
 
 
 # --------------------------------------------------------------------------- client
@@ -432,16 +377,13 @@ print(sorted({k.partition('.')[0] for k in sys.modules} - set(sys.stdlib_module_
     assert found in ("[]\n", "['_distutils_hack']\n", "['sitecustomize']\n", "['_distutils_hack', 'sitecustomize']\n")
 
 
-VERSIONS = pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
-
-
 def test_syntax_of_the_oldest_python() -> None:
     """What it accepts, newer ones accept."""
     parse_as("3.10", INVENTED / "mip_protocol")
 
 
 @heavy("other Pythons")
-@VERSIONS
+@pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
 def test_other_python_versions(version: str) -> None:
     code = (
         "from mip_protocol import registry, devices, reflection, types\n"

@@ -73,13 +73,8 @@ def test_fields_and_structures_know_what_they_mean(spec: str) -> None:
     for r in records(of):
         info = kind(package, r).INFO
         assert info.type is kind(package, r)
-        said(
-            info,
-            r.description,
-            describe.in_code(r, of) if isinstance(r, m.Field) else describe.type_facts(r, of),
-            r,
-            of,
-        )
+        facts = describe.in_code(r, of) if isinstance(r, m.Field) else describe.type_facts(r, of)
+        said(info, r.description, facts, r, of)
         assert info.sources == tuple(describe.sources(r))
         assert [p.name for p in info.parameters] == [p.name for p in r.parameters]
         assert [p.name for p in info.members] == [p.name for p in r.parameters if not p.derived]
@@ -206,6 +201,19 @@ def test_types_know_their_values_and_bits(spec: str) -> None:
         assert found.text.startswith(say(describe.prose(s.description, of), names.module(s.family)))
 
 
+def test_settings_that_silence_are_those_of_the_specification() -> None:
+    of = model("real")
+    known = {kind.NAME: kind for _, kind in real.registry.all_types() if issubclass(kind, real.field.Command)}
+    for f in of.fields:
+        if f.role == "command":
+            wanted = [(of.field(c.command or ""), c) for c in f.silenced_by]
+            found = known[f.full_name].SILENCED_BY
+            assert [(s.set, s.descriptor, c.parameter, c.value) for s, c in wanted if s] == list(found)
+            for number, descriptor, member, _ in found:
+                (setting,) = real.registry.types(number, descriptor)
+                assert member in setting.__annotations__
+
+
 def test_only_types_of_the_specification_are_known() -> None:
     class Mine(real.sensor.ScaledAccel):  # type: ignore[name-defined,misc]
         __slots__ = ()
@@ -321,9 +329,7 @@ def test_flags_of_an_unknown_device_are_recognized() -> None:
     assert five.is_valid("tow") and not five.is_valid("week_number")
     assert not real.sensor.GpsTimestamp(1.0, 2, 3).is_valid("tow")
     tow = three.INFO["tow"]
-    assert [flag.mask for flag in tow.recognized(5).flags] == [4] and [
-        flag.mask for flag in tow.recognized(13).flags
-    ] == [8]
+    assert [[flag.mask for flag in tow.recognized(flags).flags] for flags in (5, 13)] == [[4], [8]]
 
 
 def test_a_device_has_its_own_flags() -> None:
@@ -392,8 +398,11 @@ def test_dictionaries() -> None:
     }  # fmt: skip
     assert tools.Settings.write(1, 77, 9600).to_dict()["mode"] == 77
     pin = tools.Pin.write(tools.Drive.SERIAL, 0x21)
+    assert pin.meaning("use") is tools.SerialUse.TRANSMIT and tools.Pin.write(tools.Drive.OFF, 1).meaning("use") == 1
     assert pin.to_dict()["use"] == "transmit" and pin.to_dict(names=False)["use"] == 0x21
     status = tools.StatusShort(1 << 12)
+    assert tools.ModelBFaults.ACCEL in status.meaning("flags", "model-b")
+    assert tools.ModelAFaults.CLOCK not in status.meaning("flags", "model-a")
     assert status.to_dict()["flags"] == 4096 and status.to_dict(device="model-b")["flags"] == ["accel"]
 
 
@@ -416,11 +425,8 @@ def test_text() -> None:
 
 
 def test_numbers_of_four_bytes_are_short_and_exact() -> None:
-    pack, form, chance = (
-        struct.Struct(">f"),
-        real.sensor.ScaledAccel.INFO["scaled_accel"].format,
-        random.Random(5),
-    )
+    pack, chance = struct.Struct(">f"), random.Random(5)
+    form = real.sensor.ScaledAccel.INFO["scaled_accel"].format
     for _ in range(2000):
         (number,) = pack.unpack(chance.randbytes(4))
         if math.isfinite(number):
@@ -574,21 +580,16 @@ def test_names_of_devices() -> None:
     find, known = real.devices.by_name, real.devices.DEVICES
     for name in ("GX5-45", "gx5 45", "3DM-GX5-45", "gx545", "GX5-GNSS/INS", "3dm gx5 gnss ins"):
         assert find(name) is known["3dm-gx5-45"], name
-    for name, near in (
-        ("GX5-46", "3dm-gx5-45"),
-        ("cv7", "3dm-cv7-ar"),
-        ("3DM-GQ77", "3dm-gq7"),
-        ("3dm-gx5", "3dm-gx5-15"),
-    ):
+    nearest = {"GX5-46": "3dm-gx5-45", "cv7": "3dm-cv7-ar", "3DM-GQ77": "3dm-gq7", "3dm-gx5": "3dm-gx5-15"}
+    for name, near in nearest.items():
         with pytest.raises(real.errors.UnknownName, match=f"{name!r} is not a device; did you mean .*{near}") as found:
             find(name)
         assert near in found.value.near and len(found.value.near) <= 4
     with pytest.raises(real.errors.UnknownName, match=r"'45' may be 3dm-cx5-45, .* or 3dm-gx5-45"):
         find("45")
     for name in ("3dm-gx5-10", "3DM-GX5-IMU"):
-        with pytest.raises(
-            real.errors.UnknownName, match="only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10"
-        ):
+        only = "only the name of the 3DM-GX5-10 is known; choose 3dm-cx5-10"
+        with pytest.raises(real.errors.UnknownName, match=only):
             find(name)
     assert repr(find("gx5 15")) == "<Device 3dm-gx5-15: 3DM-GX5-15>"
 

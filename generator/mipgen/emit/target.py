@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target"]
 
 #: Operations that the driver of a target may offer.
-OPERATIONS = ("parse", "decode", "encode", "client", "live")
+OPERATIONS = ("parse", "decode", "encode", "client")
 
 
 Filters: TypeAlias = "Mapping[str, Callable[..., Any]]"

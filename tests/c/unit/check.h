@@ -33,16 +33,34 @@ static inline const char *only_field(const struct mip_builder *builder) {
     return text;
 }
 
+/* The bytes of hexadecimal text, up to anything else; returns their number. */
+static inline size_t octets(const char *text, uint8_t *bytes) {
+    size_t size = 0;
+    unsigned value;
+    while (sscanf(text + 2 * size, "%2x", &value) == 1) {
+        bytes[size++] = (uint8_t)value;
+    }
+    return size;
+}
+
 /* A field made of hexadecimal text. */
 static inline struct mip_field field_of(uint8_t set, uint8_t descriptor, const char *hex) {
     static uint8_t bytes[MIP_MAX_FIELD_DATA];
-    struct mip_field field = {bytes, (uint8_t)(strlen(hex) / 2), set, descriptor};
-    for (size_t i = 0; i < field.size; i++) {
-        unsigned value;
-        CHECK(sscanf(hex + 2 * i, "%2x", &value) == 1);
-        bytes[i] = (uint8_t)value;
-    }
+    const struct mip_field field = {bytes, (uint8_t)octets(hex, bytes), set, descriptor};
+    CHECK(strlen(hex) == 2U * field.size);
     return field;
+}
+
+/* A packet made of raw fields: length, descriptor, data. */
+static inline struct mip_packet packet_of(uint8_t set, const char *payload, size_t size) {
+    static uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder b;
+    CHECK(mip_builder_start(&b, bytes, sizeof(bytes), set) == MIP_OK);
+    for (size_t at = 0; at < size; at += (uint8_t)payload[at]) {
+        const size_t length = (uint8_t)payload[at];
+        CHECK(mip_builder_add(&b, (uint8_t)payload[at + 1], payload + at + 2, length - 2) == MIP_OK);
+    }
+    return mip_builder_finish(&b);
 }
 
 #endif

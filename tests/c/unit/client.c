@@ -13,16 +13,9 @@ static struct mip_builder *fresh(void) {
     return &packet;
 }
 
-/* The device sends a packet made of raw fields: length, descriptor, data. */
+/* The device sends a packet of raw fields. */
 static bool receive(uint8_t set, const char *payload, size_t size) {
-    static uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_builder b;
-    CHECK(mip_builder_start(&b, bytes, sizeof(bytes), set) == MIP_OK);
-    for (size_t at = 0; at < size; at += (uint8_t)payload[at]) {
-        const size_t length = (uint8_t)payload[at];
-        CHECK(mip_builder_add(&b, (uint8_t)payload[at + 1], payload + at + 2, length - 2) == MIP_OK);
-    }
-    const struct mip_packet p = mip_builder_finish(&b);
+    const struct mip_packet p = packet_of(set, payload, size);
     return mip_client_receive(&client, &p);
 }
 
@@ -64,18 +57,6 @@ static void answered(void) {
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
     CHECK(r.result.outcome == MIP_ACKNOWLEDGED && r.result.code == MIP_ACK_CODE_OK && client.waiting == NULL);
     CHECK(r.result.responded && response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
-
-    /* The caller has no place for the response. One that is too short is reported, and leaves zeros. */
-    fresh();
-    add(&r, &mip_tools_settings_command, &read, 0);
-    CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
-    CHECK(r.result.outcome == MIP_ACKNOWLEDGED && !r.result.responded && client.waiting == NULL);
-    fresh();
-    memset(&response, 0xAA, sizeof(response));
-    add(&r, &mip_tools_settings_command, &read, 0);
-    expect(&r, &mip_tools_settings_response_codec, &response);
-    CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x04\x82\x01\x02"));
-    CHECK(r.result.outcome == MIP_UNDECODABLE && !r.result.responded && r.result.error == MIP_ERROR_TRUNCATED && response.port == 0);
 }
 
 static void not_sent(void) {
@@ -83,8 +64,6 @@ static void not_sent(void) {
     struct mip_tools_settings none;
     memset(&none, 0, sizeof(none));
     const size_t before = fresh()->length;
-    CHECK(mip_encode(&mip_tools_settings_codec, &none, &packet) == MIP_OK); /* a codec carries any value */
-    fresh();
     CHECK(mip_client_add(&client, &r[0], &packet, &mip_tools_settings_command, &none, 0) == MIP_ERROR_MISSING);
     CHECK(r[0].result.outcome == MIP_NOT_SENT && r[0].result.error == MIP_ERROR_MISSING);
     CHECK(client.waiting == NULL && packet.error == MIP_ERROR_MISSING);
@@ -111,21 +90,11 @@ static void not_sent(void) {
     CHECK(expire(10000) == 2);
 }
 
+/* A longer time-out of the caller, up to the longest. */
 static void timed_out(void) {
     struct mip_request r;
-    const uint32_t start = UINT32_MAX - 100; /* the time wraps around meanwhile */
-    fresh();
-    add(&r, &mip_tools_ping_command, NULL, start);
-    CHECK(expire(start) == 0 && expire(start + MIP_DEFAULT_TIMEOUT - 1) == 0);
-    CHECK(expire(start + MIP_DEFAULT_TIMEOUT) == 1 && r.result.outcome == MIP_TIMED_OUT);
-    CHECK(!RECEIVE(0x01, "\x04\xF1\x01\0") && r.result.outcome == MIP_TIMED_OUT); /* too late */
-
-    /* A longer time-out, from the specification or from the caller, up to the longest. */
     struct mip_tools_status status;
-    mip_tools_status_make(&status, 1);
-    fresh();
-    add(&r, &mip_tools_status_command, &status, 0);
-    CHECK(expire(2499) == 0 && expire(2500) == 1);
+    mip_tools_status_make(&status, 1); /* which has a time-out of its own */
     client.timeout = 5000;
     fresh();
     add(&r, &mip_tools_status_command, &status, 0);
@@ -163,32 +132,19 @@ static void responses(void) {
     mip_tools_set_time_apply(&command, MIP_MODE_FAST, 5); /* and this is not even answered */
     add(&r, &mip_tools_set_time_command, &command, 0);
     CHECK(r.result.outcome == MIP_SENT && client.waiting == NULL);
-}
 
-/* A response that devices send in layouts of different sizes. */
-static void sizes(void) {
-    static const char old[] = "\x04\xF1\x04\0\x09\x90\x12\x67\x02\0\0\0\x05";
-    static const char current[] = "\x04\xF1\x04\0\x11\x90\x12\x67\x02\0\0\0\x07\0\0\0\0\0\0\0\x06";
-    struct mip_request r;
-    struct mip_tools_status_old value = {9};
+    /* Layouts of one descriptor: one that other values select, and one that devices of another kind send. */
+    struct mip_tools_status_old old = {9};
     struct mip_tools_status_short brief;
     struct mip_tools_status ask;
     mip_tools_status_make(&ask, 2);
-
-    /* The one that is expected. */
     fresh();
     add(&r, &mip_tools_status_command, &ask, 0);
     CHECK(r.asked->layout == &mip_tools_status_long_codec && r.codec == NULL);
     CHECK(!mip_client_expect(&r, &mip_tools_status_short_codec, &brief));
-    expect(&r, &mip_tools_status_old_codec, &value);
-    CHECK(RECEIVE(0x01, old) && r.result.outcome == MIP_ACKNOWLEDGED && r.result.responded && value.uptime == 5);
-
-    /* Another one: this is reported, and leaves zeros. */
-    fresh();
-    add(&r, &mip_tools_status_command, &ask, 0);
-    expect(&r, &mip_tools_status_old_codec, &value);
-    CHECK(RECEIVE(0x01, current) && r.result.outcome == MIP_UNDECODABLE && r.result.error == MIP_ERROR_LAYOUT);
-    CHECK(!r.result.responded && value.uptime == 0 && r.codec == &mip_tools_status_long_codec);
+    expect(&r, &mip_tools_status_old_codec, &old);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x04\0\x09\x90\x12\x67\x02\0\0\0\x05"));
+    CHECK(r.result.outcome == MIP_ACKNOWLEDGED && r.result.responded && old.uptime == 5);
 }
 
 /* All at once: a barrier, its reply, a reply in pieces, data behind it, and time. */
@@ -229,6 +185,5 @@ int main(void) {
     not_sent();
     timed_out();
     responses();
-    sizes();
     return 0;
 }

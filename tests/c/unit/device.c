@@ -74,6 +74,19 @@ static uint32_t line_now(void *user) {
 static const struct mip_port port = {line_read, line_write, line_now, &line};
 static const struct mip_port other_port = {line_read, line_write, line_now, &other};
 
+/* What the handlers were called with. */
+struct seen {
+    struct mip_field fields[400];
+    uint32_t arrived[400];
+    size_t count;
+};
+
+static struct seen seen, rest;
+
+static void forget(void) {
+    seen.count = rest.count = 0;
+}
+
 static void fresh_line(struct line *l, uint32_t start) {
     memset(l, 0, sizeof(*l));
     l->limit = SIZE_MAX;
@@ -83,6 +96,7 @@ static void fresh_line(struct line *l, uint32_t start) {
 
 static void fresh(const struct mip_handler *handlers, size_t count) {
     fresh_line(&line, 5000);
+    forget();
     mip_device_init(&device, &port, count, handlers);
 }
 
@@ -97,14 +111,7 @@ static void bytes_come(struct line *l, uint32_t delay, const void *bytes, size_t
 
 /* Lets a packet of raw fields arrive after `delay`. */
 static void packet_comes(struct line *l, uint32_t delay, uint8_t set, const char *payload, size_t size) {
-    uint8_t bytes[MIP_MAX_PACKET];
-    struct mip_builder b;
-    CHECK(mip_builder_start(&b, bytes, sizeof(bytes), set) == MIP_OK);
-    for (size_t at = 0; at < size; at += (uint8_t)payload[at]) {
-        const size_t length = (uint8_t)payload[at];
-        CHECK(mip_builder_add(&b, (uint8_t)payload[at + 1], payload + at + 2, length - 2) == MIP_OK);
-    }
-    const struct mip_packet p = mip_builder_finish(&b);
+    const struct mip_packet p = packet_of(set, payload, size);
     bytes_come(l, delay, p.bytes, p.size);
 }
 
@@ -128,15 +135,6 @@ static bool is_zero(const void *value, size_t size) {
     return size == 0;
 }
 
-/* What the handlers were called with. */
-struct seen {
-    struct mip_field fields[400];
-    uint32_t arrived[400];
-    size_t count;
-};
-
-static struct seen seen, rest;
-
 static void see(void *user, const struct mip_field *field, uint32_t arrived) {
     struct seen *s = (struct seen *)user;
     CHECK(s->count < sizeof(s->fields) / sizeof(s->fields[0]));
@@ -145,10 +143,6 @@ static void see(void *user, const struct mip_field *field, uint32_t arrived) {
 }
 
 static const struct mip_handler all[] = {{MIP_ANY_FIELD, MIP_ANY_SET, see, &seen}};
-
-static void forget(void) {
-    seen.count = rest.count = 0;
-}
 
 /* ------------------------------------------------------------------------------------ outcomes */
 
@@ -179,33 +173,28 @@ static void answers(void) {
     CHECK(device.client.waiting == NULL);
 }
 
-static void refusals(void) {
+/* The reply to a read, and its outcome; the caller's structure has zeros. */
+static void fails(const char *reply, size_t size, struct mip_result wanted, const char *reason) {
     struct mip_tools_settings_response response;
-    fresh(NULL, 0);
     memset(&response, 0xAA, sizeof(response));
-    COMES(20, 0x01, "\x04\xF1\x02\x03");
-    struct mip_result r = mip_call_tools_settings_read(&device, 9, MIP_MODE_FAST, &response);
-    CHECK(is(r, MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK) && is_zero(&response, sizeof(response)));
-    CHECK(strcmp(mip_outcome_name(r.outcome), "refused") == 0);
-    CHECK(strcmp(mip_result_reason(r), "invalid_parameter") == 0);
-    COMES(20, 0x01, "\x04\xF1\x01\x77"); /* a code that nobody knows */
-    r = mip_call_tools_ping(&device);
-    CHECK(is(r, MIP_REFUSED, 0x77, MIP_OK) && strcmp(mip_result_reason(r), "unknown") == 0);
+    packet_comes(&line, 20, 0x01, reply, size);
+    const struct mip_result r = mip_call_tools_settings_read(&device, 9, MIP_MODE_FAST, &response);
+    CHECK(is(r, wanted.outcome, wanted.code, wanted.error) && is_zero(&response, sizeof(response)));
+    CHECK(strcmp(mip_result_reason(r), reason) == 0);
+}
 
-    memset(&response, 0xAA, sizeof(response));
-    COMES(20, 0x01, "\x04\xF1\x02\0");
-    r = mip_call_tools_settings_read(&device, 1, MIP_MODE_FAST, &response);
-    CHECK(is(r, MIP_MISSING_RESPONSE, 0, MIP_OK) && is_zero(&response, sizeof(response)));
-    memset(&response, 0xAA, sizeof(response));
-    COMES(20, 0x01, "\x04\xF1\x02\0\x04\x82\x01\x02");
-    r = mip_call_tools_settings_read(&device, 1, MIP_MODE_FAST, &response);
-    CHECK(is(r, MIP_UNDECODABLE, 0, MIP_ERROR_TRUNCATED) && is_zero(&response, sizeof(response)));
-    CHECK(strcmp(mip_result_reason(r), "truncated") == 0);
+#define FAILS(reply, reason, ...) fails(reply, sizeof(reply) - 1, (struct mip_result){__VA_ARGS__, false}, reason)
+
+static void refusals(void) {
+    fresh(NULL, 0);
+    FAILS("\x04\xF1\x02\x03", "invalid_parameter", MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK);
+    FAILS("\x04\xF1\x02\x77", "unknown", MIP_REFUSED, 0x77, MIP_OK); /* a code that nobody knows */
+    FAILS("\x04\xF1\x02\0", "", MIP_MISSING_RESPONSE, 0, MIP_OK);
+    FAILS("\x04\xF1\x02\0\x04\x82\x01\x02", "truncated", MIP_UNDECODABLE, 0, MIP_ERROR_TRUNCATED);
 }
 
 static void no_answers(void) {
     fresh(all, 1);
-    forget();
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     CHECK(line.clock == 6000 && device.client.waiting == NULL);
     COMES(0, 0x01, PONG); /* too late: unsolicited */
@@ -235,7 +224,6 @@ static void no_answers(void) {
 /* The answer to a command that has timed out is not that of the next one. */
 static void late_answers(void) {
     fresh(all, 1);
-    forget();
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     bytes_come(&line, 0, "ue\x80\xFF", 4); /* noise hides it */
     COMES(0, 0x01, PONG);
@@ -274,13 +262,11 @@ static void late_answers(void) {
 
 static void closed(void) {
     fresh(all, 1);
-    forget();
     line.gone = true;
     CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK));
     CHECK(line.reads == 1 && device.client.waiting == NULL && !mip_device_poll(&device));
     /* What was still in the parser is not lost; nor is an answer in it. */
     fresh(all, 1);
-    forget();
     line.gone = true;
     bytes_come(&line, 0, "ue\x80\xFF", 4);
     COMES(0, 0x80, ACCEL);
@@ -313,7 +299,6 @@ static void closed(void) {
     CHECK(request.result.outcome == MIP_TIMED_OUT);
     /* The last bytes may arrive with the end; packets after noise are found in them, too. */
     fresh(all, 1);
-    forget();
     line.ends = true;
     bytes_come(&line, 0, "ue\x80\xFF", 4);
     COMES(0, 0x80, ACCEL);
@@ -420,7 +405,6 @@ static bool line_waits(void *user) {
 static void twice(void) {
     fresh(all, 1);
     device.waits = line_waits;
-    forget();
     memset(later, 0, sizeof(later));
     COMES(0, 0x01, PONG);
     CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK));
@@ -451,7 +435,6 @@ static void handlers(void) {
         {MIP_ANY_FIELD, MIP_ANY_SET, see, &rest},
     };
     fresh(table, 6);
-    forget();
     COMES(10, 0x80, TIME ACCEL "\x03\x55\x01");
     COMES(20, 0x81, TIME ACCEL);
     COMES(30, 0x01, "\x04\xF1\x09\0" PONG); /* one that nobody has asked for, and the answer */
@@ -479,7 +462,6 @@ static void handlers(void) {
         {MIP_ANY_FIELD, MIP_MEASUREMENTS_SET, see, &rest},
     };
     fresh(several, 5);
-    forget();
     COMES(0, 0x80, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
     COMES(0, 0x81, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
     COMES(0, 0x92, ACCEL TIME "\x03\x07\x01\x03\x55\x01");
@@ -504,7 +486,6 @@ static void handlers(void) {
         {MIP_ANY_FIELD, MIP_ANY_SET, see, &rest},
     };
     fresh(layouts, 2);
-    forget();
     COMES(0, 0x01, "\x11\x90\x12\x67\x02\0\0\0\0\0\0\0\0\0\0\0\x05\x09\x90\x12\x67\x01\0\0\0\x05");
     CHECK(mip_device_poll(&device) && seen.count + rest.count == 2);
     CHECK(rest.count > 0 && rest.fields[rest.count - 1].size == 7);
@@ -512,14 +493,12 @@ static void handlers(void) {
     /* A handler for the acknowledges of all sets; other fields, which have none, are dropped. */
     static const struct mip_handler few[] = {{&mip_protocol_acknowledge_codec, MIP_ANY_SET, see, &seen}};
     fresh(few, 1);
-    forget();
     COMES(0, 0x01, "\x04\xF1\x09\0");
     COMES(0, 0x0C, "\x04\xF1\x10\0");
     COMES(0, 0x80, "\x04\xF1\x10\0"); /* of a data set, it is something else */
     CHECK(mip_device_poll(&device) && seen.count == 2 && device.parser.skipped == 0);
     struct mip_handler filled[] = {few[0], {NULL, MIP_ANY_SET, NULL, NULL}};
     fresh(filled, 2);
-    forget();
     COMES(0, 0x80, ACCEL);
     CHECK(mip_device_poll(&device) && seen.count == 0);
     filled[1].type = &mip_measurements_accel_codec; /* an empty entry is filled while data arrives */
@@ -561,7 +540,6 @@ static void packets(void) {
 static void nothing_is_lost(void) {
     for (size_t limit = 1; limit < 300; limit = limit * 3 / 2 + 1) {
         fresh(all, 1);
-        forget();
         line.limit = limit;
         for (int i = 0; i < 30; i++) {
             COMES((uint32_t)(10 * i), 0x80, TIME ACCEL);
@@ -596,7 +574,6 @@ static void poll_for(uint32_t time) {
 static void parser_time_out(uint32_t start) {
     fresh(all, 1);
     line.clock = start;
-    forget();
     bytes_come(&line, 0, "ue\x80\xFF", 4); /* looks like the start of a long packet */
     COMES(0, 0x80, ACCEL);
     poll_for(MIP_DEFAULT_SILENCE - 10);

@@ -33,28 +33,6 @@ static void presence(void) {
     v.present = 6; /* more than the parameters that exist */
     CHECK(mip_tools_settings_encode(&v, fresh(1)) == MIP_ERROR_MISSING && packet.length == MIP_HEADER_SIZE);
 
-    /* Values after the parameters that a function requires are kept. Another function requires its own. */
-    struct mip_field field = field_of(1, 2, "03070200");
-    size_t trailing;
-    CHECK(mip_decode(&mip_tools_settings_codec, &v, &field, &trailing) == MIP_OK);
-    CHECK(v.present == 2 && v.mode == MIP_MODE_SLOW && v.baud == 0 && trailing == 1);
-    CHECK(ENCODES(tools_settings, &v, "030702"));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.baud = 5;
-    CHECK(ENCODES(tools_settings, &v, "01070200000005"));
-
-    /* Without a selector. */
-    struct mip_measurements_growing g;
-    field = field_of(0x80, 6, "000100027fe5bf");
-    CHECK(mip_decode(&mip_measurements_growing_codec, &g, &field, &trailing) == MIP_OK);
-    uint32_t bits;
-    memcpy(&bits, &g.third, 4); /* half of it is left over */
-    CHECK(g.present == MIP_MEASUREMENTS_GROWING_WITH_SECOND && g.second == 2 && trailing == 3 && bits == 0);
-    g.present = 0;
-    CHECK(mip_measurements_growing_encode(&g, fresh(0x80)) == MIP_ERROR_MISSING); /* `second` has a value */
-    g.present = 3;
-    CHECK(ENCODES(measurements_growing, &g, "0001000200000000"));
-
     /* A counter and its array are present or absent together. */
     struct mip_tools_list l;
     mip_tools_list_read(&l);
@@ -128,32 +106,8 @@ static void strings(void) {
     CHECK(t.rest_count == 1 && strcmp(t.rest, "k") == 0);
 }
 
-/* If a descriptor has several layouts, a field is decoded only as its own one. */
-static void layouts(void) {
-    struct mip_tools_status_long wanted;
-    struct mip_tools_status_old old;
-    struct mip_tools_status_short brief;
-    size_t trailing;
-    struct mip_field field = field_of(1, 0x90, "126702000000010000000000000005");
-    CHECK(mip_field_key(&field) == MIP_TOOLS_STATUS_LONG && MIP_TOOLS_STATUS_LONG == MIP_TOOLS_STATUS_OLD);
-    CHECK(mip_tools_status_long_decode(&wanted, &field) == MIP_OK && wanted.flags == 1 && wanted.uptime == 5);
-    memset(&old, 0xAA, sizeof(old));
-    CHECK(mip_decode(&mip_tools_status_old_codec, &old, &field, &trailing) == MIP_ERROR_LAYOUT);
-    CHECK(old.uptime == 0 && trailing == field.size);
-    CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_LAYOUT);
-    /* Too short for any: the bytes that are there must match. */
-    field = field_of(1, 0x90, "1267");
-    CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_TRUNCATED);
-    field = field_of(1, 0x90, "126702");
-    CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_LAYOUT);
-}
-
-static void constants(void) {
-    struct mip_tools_status command;
-    const struct mip_field field = field_of(1, 4, "126802");
-    CHECK(mip_tools_status_decode(&command, &field) == MIP_ERROR_CONSTANT && command.selector == 0);
-    CHECK(mip_tools_status_exchange.timeout == 10 /* 2.5 s */);
-    /* Keywords, and a parameter with the name of a member that generated code uses itself. */
+/* Keywords, and a parameter with the name of a member that generated code uses itself. */
+static void keywords(void) {
     struct mip_3d_default d;
     mip_3d_default_make(&d, 1, 2, 3, 4, 5);
     CHECK(d.class_ == 1 && d.register_ == 3 && d.present_ == 5);
@@ -189,7 +143,6 @@ int main(void) {
     others();
     wide_tags();
     strings();
-    layouts();
-    constants();
+    keywords();
     return 0;
 }

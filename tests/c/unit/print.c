@@ -8,15 +8,6 @@
 #include "mip/extra/reflect.h"
 #include "mip/extra/registry.h"
 
-static size_t hex(const char *text, uint8_t *bytes) {
-    size_t size = 0;
-    unsigned value;
-    while (sscanf(text + 2 * size, "%2x", &value) == 1) {
-        bytes[size++] = (uint8_t)value;
-    }
-    return size;
-}
-
 static void print(const struct mip_print *to, const char *what, const uint8_t *bytes, size_t size) {
     struct mip_packet packet = {bytes, size, size > 2 ? bytes[2] : (uint8_t)0};
     struct mip_walk walk = mip_walk_packet(&packet);
@@ -55,7 +46,7 @@ int main(void) {
         uint8_t *bytes = (uint8_t *)malloc(digits[0] != '\0' ? strlen(digits) / 2 : 1);
         char *buffer = room > 0 ? (char *)malloc(room) : NULL;
         CHECK(bytes != NULL && (buffer != NULL || room == 0));
-        const size_t size = hex(digits, bytes);
+        const size_t size = octets(digits, bytes);
         struct mip_text text;
         struct mip_print to = mip_print_to_text(&text, buffer, room);
         to.device = strcmp(device, "-") == 0 ? NULL : device;

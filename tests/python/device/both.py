@@ -7,9 +7,10 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
-from mip_protocol import Packet, PacketBuilder, Parser, aio
+from mip_protocol import Packet, PacketBuilder, Parser, aio, base
 from mip_protocol import device as sync
 from support import PATIENCE
 
@@ -21,6 +22,22 @@ def until(condition: Callable[[], Any]) -> Any:
         assert time.monotonic() < end, "it did not happen"
         time.sleep(0.002)
     return found
+
+
+@contextmanager
+def running(*functions: Callable[[], Any]) -> Iterator[None]:
+    """Runs each in a thread of its own, and waits for its end."""
+    threads = [threading.Thread(target=function, daemon=True) for function in functions]
+    for thread in threads:
+        thread.start()
+    yield
+    for thread in threads:
+        thread.join(PATIENCE)
+        assert not thread.is_alive()
+
+
+def url(server: socket.socket) -> str:
+    return f"socket://localhost:{server.getsockname()[1]}"
 
 
 class Awaited:
@@ -141,3 +158,7 @@ def packet(number: int, *fields: str) -> bytes:
 
 def acknowledge(number: int, descriptor: int, code: int = 0) -> bytes:
     return packet(number, f"f1 {descriptor:02x} {code:02x}")
+
+
+DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
+PING = base.Ping()

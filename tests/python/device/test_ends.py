@@ -9,35 +9,15 @@ import os
 import socket
 import threading
 import time
-from collections.abc import Iterator
 from typing import Any
 
 import mip_protocol as mip
 import pytest
 import serial
-from both import Kind, packet, until
+from both import DATA, PING, Kind, running, until, url
 from mip_protocol import aio, base, port
 from support import PATIENCE, another_python, heavy
 from test_requests import inside, python
-
-DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
-PING = base.Ping()
-
-
-@pytest.fixture(params=["threads", "asyncio"])
-def kind(request: pytest.FixtureRequest) -> Kind:
-    return Kind(request.param)
-
-
-@pytest.fixture
-def server() -> Iterator[socket.socket]:
-    with socket.create_server(("localhost", 0)) as made:
-        made.settimeout(PATIENCE)
-        yield made
-
-
-def url(server: socket.socket) -> str:
-    return f"socket://localhost:{server.getsockname()[1]}"
 
 
 class Silent:
@@ -153,11 +133,10 @@ def test_a_device_that_is_closed_while_its_port_accepts_no_bytes(kind: Kind, mon
                 device.request(PING)
             ends.append(str(caught.value))
 
-        thread = threading.Thread(target=ask)
-        thread.start()
-        until(lambda: inside(device)._writing.locked())
-        device.close()
-        thread.join(PATIENCE / 2)
+        with running(ask):
+            until(lambda: inside(device)._writing.locked())
+            device.close()
+            until(lambda: ends)
         assert ends == ["closed: the device has been closed"]
 
 

@@ -10,7 +10,6 @@ import resource
 import socket
 import subprocess
 import sys
-import threading
 import time
 import tty
 from collections.abc import Iterator
@@ -22,7 +21,7 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 import serial
-from both import Kind, Peer, acknowledge, packet
+from both import DATA, PING, Kind, Peer, acknowledge, running
 from mip_protocol import base, mip_3dm, sensor, shared, timestamps, types
 from mip_simulator import LivePort
 from mip_simulator.device import VirtualDevice
@@ -33,32 +32,22 @@ from mip_tools.sentences import Sentences
 from support import PATIENCE, ROOT, expected_parse
 
 DEVICE = "3dm-cv7-gnss-ins"
-PING = base.Ping()
-DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
+PACKAGE = ROOT / "generated/python"
 FAULTS = {
     "lose": 0.03, "change": 0.03, "noise": 0.1, "nmea": 0.1, "false_header": 0.05, "double_packet": 0.03,
     "delay": (0.05, 0.02), "lose_answer": 0.05, "unknown_set": 0.02, "cut": 0.02,
 }  # fmt: skip
 
 
-@pytest.fixture(params=["threads", "asyncio"])
-def kind(request: pytest.FixtureRequest) -> Kind:
-    return Kind(request.param)
-
-
 @contextmanager
 def serving(virtual: VirtualDevice, *endpoints: Endpoint, **options: Any) -> Iterator[list[str]]:
     """Serves a device in a thread; yields its URLs."""
     places: list[str] = []
-    with Server(virtual, endpoints, ready=places.append, **options) as server:
-        thread = threading.Thread(target=server.run, daemon=True)
-        thread.start()
+    with Server(virtual, endpoints, ready=places.append, **options) as server, running(server.run):
         try:
             yield [place if place.startswith("/") else f"socket://{place}" for place in places]
         finally:
             server.stop()
-            thread.join(PATIENCE)
-    assert not thread.is_alive()
 
 
 def stream(device: Any, rate: int = 100) -> None:
@@ -139,19 +128,49 @@ def test_serial_ports_with_any_time_out(kind: Kind, timeout: float | None, tmp_p
 @pytest.mark.parametrize(("options", "answers"), [("", True), (", timeout=0", False), (", timeout=1000", True)])
 def test_the_loop_of_the_readme_at_a_serial_port(options: str, answers: bool, tmp_path: Path) -> None:
     """It neither hangs nor waits for bytes that do not arrive, whatever the time-out of the port."""
-    text = (ROOT / "generated/python/README.md").read_text("utf-8")
+    text = (PACKAGE / "README.md").read_text("utf-8")
     program = text.split("## Commands")[1].split("```python\n")[1].split("```")[0]
     opening = 'serial.Serial("/dev/ttyACM0", 115200)'
     assert opening in program
     faults = None if answers else Faults(lose_answer=1.0)
     with serving(VirtualDevice(DEVICE, faults=faults), pty_at(str(tmp_path / "port"))) as (path,):
         program = program.replace(opening, f'serial.Serial("{path}", 115200{options})')
-        environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python")}
+        environment = {**os.environ, "PYTHONPATH": str(PACKAGE)}
         done = subprocess.run(
             [sys.executable, "-c", program], capture_output=True, text=True, timeout=PATIENCE, env=environment
         )
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("base.get_device_info_response: " if answers else "no answer to base.get_device_info")
+
+
+def blocks() -> list[str]:
+    section = (PACKAGE / "README.md").read_text("utf-8").split("## A device")[1].split("\n## ")[0]
+    return [part.split("```")[0] for part in section.split("```python\n")[1:]]
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_programs_of_the_readme(number: int) -> None:
+    program = blocks()[number]
+    virtual = VirtualDevice(DEVICE)
+    link = virtual.connect()
+    if number == 1:  # it reads what the device already sends
+        link.write(bytes(mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(0x04, 100),)).packet()))
+        link.write(bytes(mip_3dm.DataStreamControl.write(0x80, True).packet()))
+    with serving(virtual, tcp_at("localhost:0")) as (url,):
+        opened = '"/dev/ttyACM0"' if number == 0 else '"socket://localhost:5000"'
+        assert opened in program
+        process = subprocess.Popen(
+            [sys.executable, "-uc", program.replace(opened, repr(url))], stdout=subprocess.PIPE, text=True,
+            env={**os.environ, "PYTHONPATH": str(PACKAGE), "PYTHONDONTWRITEBYTECODE": "1"},
+        )  # fmt: skip
+        assert process.stdout is not None
+        try:
+            lines = [process.stdout.readline() for _ in range(4)]
+        finally:
+            process.terminate()
+            process.communicate()
+    assert lines[0].strip() == "3DM-CV7-GNSS/INS"
+    assert all("-1.0" in line or "-0.99" in line for line in lines[1:]), lines
 
 
 # --------------------------------------------------------------------------- baud rates
@@ -311,11 +330,9 @@ def test_files(kind: Kind, buffered: bool) -> None:
     if buffered:
         file = Buffered(file)
     with kind.at(file) as device:
-        thread = threading.Thread(target=lambda: os.read(master, 100) and os.write(master, DATA + acknowledge(1, 1)))
-        thread.start()
-        device.request(PING)
+        with running(lambda: os.read(master, 100) and os.write(master, DATA + acknowledge(1, 1))):
+            device.request(PING)
         assert bytes(device.next(5).packet) == DATA
-        thread.join()
         os.write(master, DATA)  # so that the read ends
         os.close(slave)
     os.close(master)
@@ -336,9 +353,8 @@ def test_a_port_that_cannot_write(kind: Kind) -> None:
             device.write(b"x")
 
 
-def test_a_socket_beyond_the_thousandth_file() -> None:
+def test_a_socket_beyond_the_thousandth_file(peer: Peer) -> None:
     """`select` accepts no file descriptor from 1024 on; a program with many devices has such."""
-    peer = Peer()
     limits = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(limits[0], min(2048, limits[1])), limits[1]))
     near = socket.socket(fileno=fcntl.fcntl(peer.near, fcntl.F_DUPFD, 1024))
@@ -349,7 +365,6 @@ def test_a_socket_beyond_the_thousandth_file() -> None:
     finally:
         near.close()
         peer.near.close()
-        peer.close()
         resource.setrlimit(resource.RLIMIT_NOFILE, limits)
 
 

@@ -33,16 +33,14 @@ def place(cause: Cause | None) -> tuple[int, int, int] | None:
     return cause and (cause.index, cause.set, cause.descriptor)
 
 
-@pytest.mark.parametrize("name", ["threads", "asyncio"])
-def test_a_device_is_asked_once(name: str) -> None:
+def test_a_device_is_asked_once(kind: Kind, peer: Peer) -> None:
     """What it is, and all that it lists: the filter's position is in neither list."""
-    peer = Peer()
     info = packet(0x01, "f1 03 00", "81" + "0000" + b"3DM-CV7-AHRS    6286-9999       ".hex() + "20" * 48)
     lists = packet(0x01, "f1 04 00", "82 0101 0107 8004"), packet(0x01, "f1 07 00", "86 8210")
     command = mip_3dm.MessageFormat.write(0x82, [types.DescriptorRate(d, 1) for d in (0x10, 0x01)])
     rejected = acknowledge(0x0C, 0x0F, 3)
     text = "3dm.message_format rejected (invalid parameter): 3DM-CV7-AHRS does not send filter_data.llh_position"
-    with Kind(name).at(peer.near) as device:
+    with kind.at(peer.near) as device:
         peer.answering(rejected, info, *lists, rejected, packet(0x0C, "f1 0e 00", "8e 82 01f4"), rejected)
         for _ in range(2):
             with pytest.raises(mip.Refused) as caught:
@@ -51,15 +49,12 @@ def test_a_device_is_asked_once(name: str) -> None:
         with pytest.raises(mip.Refused) as caught:
             device.stream({filter_data.Status: 0, filter_data.LlhPosition: 0}, timestamp=None)
         assert str(caught.value) == text and place(caught.value.cause) == (1, 0x82, 0x01)
-    peer.close()
 
 
-def test_a_device_that_does_not_say_what_it_is() -> None:
+def test_a_device_that_does_not_say_what_it_is(kind: Kind, peer: Peer) -> None:
     """The error has the code alone, and no other error takes its place."""
-    peer = Peer()
-    with Kind("threads").at(peer.near) as device:
+    with kind.at(peer.near) as device:
         peer.answering(acknowledge(0x0C, 0x0F, 3), acknowledge(0x01, 0x03, 1))
         with pytest.raises(mip.Refused) as caught:
             device.request(mip_3dm.MessageFormat.write(0x82, [types.DescriptorRate(1, 1)]))
     assert str(caught.value) == "3dm.message_format rejected (invalid parameter)" and caught.value.cause is None
-    peer.close()

@@ -10,46 +10,19 @@ import queue
 import socket
 import subprocess
 import sys
-import threading
 import time
-from collections.abc import Iterator
 from typing import Any
 
 import mip_protocol as mip
 import pytest
-from both import Kind, Peer, acknowledge, packet, until
-from mip_protocol import (
-    Parser,
-    aiding,
-    aio,
-    base,
-    gnss_data,
-    mip_3dm,
-    port,
-    sensor,
-    types,
-)
+from both import DATA, PING, Kind, Peer, acknowledge, packet, running, until, url
+from mip_protocol import Parser, aiding, aio, base, gnss_data, mip_3dm, port, sensor, types
 from mip_protocol import device as sync
 from mip_simulator.device import VirtualDevice
 from mip_tools.sentences import Sentences
 from support import PATIENCE, ROOT
 
-DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
 INFO = packet(0x01, "f1 03 00", "81" + "20" * 82)
-PING = base.Ping()
-
-
-@pytest.fixture(params=["threads", "asyncio"])
-def kind(request: pytest.FixtureRequest) -> Kind:
-    return Kind(request.param)
-
-
-@pytest.fixture
-def peer() -> Iterator[Peer]:
-    made = Peer()
-    yield made
-    made.close()
-
 
 # --------------------------------------------------------------------------- requests
 
@@ -389,17 +362,11 @@ def test_requests_from_many_threads_while_another_takes_data(kind: Kind, peer: P
             right.append(response.rate == response.descriptor_set == number)
 
     right: list[bool] = []
-    with kind.at(peer.near, timeout=PATIENCE) as device:
-        threads = [threading.Thread(target=take), threading.Thread(target=answer)]
-        askers = [threading.Thread(target=ask, args=(n,)) for n in (0x80,) * 4]
-        for thread in [*threads, *askers]:
-            thread.start()
-        for thread in askers:
-            thread.join()
+    with kind.at(peer.near, timeout=PATIENCE) as device, running(take):
+        with running(answer, *[lambda: ask(0x80)] * 4):
+            pass
         until(lambda: len(taken) == 40)
         device.close()
-        threads[0].join(PATIENCE)
-        assert not threads[0].is_alive()
     assert right == [True] * 40
     assert [a.packet for a in taken] == [mip.Packet(packet(0x80, f"04 {n:024x}")) for n in range(40)]
 
@@ -430,13 +397,9 @@ def test_closing_wakes_those_who_wait(kind: Kind, peer: Peer) -> None:
             ends.append(error)
 
     with kind.at(peer.near, timeout=PATIENCE) as device:
-        threads = [threading.Thread(target=ask), threading.Thread(target=lambda: ends.append(list(device)))]
-        for thread in threads:
-            thread.start()
-        peer.command()
-        device.close()
-        for thread in threads:
-            thread.join(PATIENCE)
+        with running(ask, lambda: ends.append(list(device))):
+            peer.command()
+            device.close()
         assert sorted(str(e) for e in ends) == ["[]", "closed: the device has been closed"]
         assert device.next(1) is None and list(device) == []
         with pytest.raises(mip.PortClosed, match="the device has been closed"):
@@ -445,31 +408,27 @@ def test_closing_wakes_those_who_wait(kind: Kind, peer: Peer) -> None:
             device.reopen()
 
 
-def test_what_was_known_of_a_device_is_asked_again_when_it_is_back(kind: Kind) -> None:
+def test_what_was_known_of_a_device_is_asked_again_when_it_is_back(kind: Kind, server: socket.socket) -> None:
     """It may have restarted, with other settings."""
     heard: list[tuple[int, int]] = []
-    with socket.create_server(("localhost", 0)) as server:
 
-        def serve() -> None:
-            for _ in range(2):
-                connection, _ = server.accept()
-                with connection:
-                    parser = Parser()
-                    while not heard or heard[-1] != (0x13, AIDING.DESCRIPTOR):
-                        for command in parser.feed(connection.recv(100)):
-                            heard.extend(asked(command))
-                            refused = heard[-1] == (0x13, 0x1F)
-                            connection.sendall(acknowledge(*heard[-1], code=1 if refused else 0))
-                heard.append((0, 0))  # the end of a connection
+    def serve() -> None:
+        for _ in range(2):
+            connection, _ = server.accept()
+            with connection:
+                parser = Parser()
+                while not heard or heard[-1] != (0x13, AIDING.DESCRIPTOR):
+                    for command in parser.feed(connection.recv(100)):
+                        heard.extend(asked(command))
+                        refused = heard[-1] == (0x13, 0x1F)
+                        connection.sendall(acknowledge(*heard[-1], code=1 if refused else 0))
+            heard.append((0, 0))  # the end of a connection
 
-        thread = threading.Thread(target=serve)
-        thread.start()
-        with kind.open(f"socket://localhost:{server.getsockname()[1]}") as device:
-            device.request(AIDING)
-            until(lambda: device.closed)
-            device.reopen()
-            device.request(AIDING)
-        thread.join()
+    with running(serve), kind.open(url(server)) as device:
+        device.request(AIDING)
+        until(lambda: device.closed)
+        device.reopen()
+        device.request(AIDING)
     assert heard == [(0x13, 0x1F), (0x13, AIDING.DESCRIPTOR), (0, 0)] * 2
 
 
@@ -478,11 +437,10 @@ def inside(device: Any) -> Any:
     return getattr(device, "device", device)
 
 
-def test_a_device_that_is_closed_while_its_port_is_away(kind: Kind) -> None:
-    with socket.create_server(("localhost", 0)) as server:
-        device = kind.open(f"socket://localhost:{server.getsockname()[1]}")
+def test_a_device_that_is_closed_while_its_port_is_away(kind: Kind, server: socket.socket) -> None:
+    with kind.open(url(server)) as device:
         server.accept()[0].close()
-    with device:
+        server.close()
         until(lambda: device.closed)
         ends: list[BaseException] = []
 
@@ -492,11 +450,9 @@ def test_a_device_that_is_closed_while_its_port_is_away(kind: Kind) -> None:
             except mip.PortClosed as error:
                 ends.append(error)
 
-        thread = threading.Thread(target=again)
-        thread.start()
-        until(lambda: inside(device)._opening.locked())
-        device.close()
-        thread.join(PATIENCE)
+        with running(again):
+            until(lambda: inside(device)._opening.locked())
+            device.close()
         assert [str(e) for e in ends] == ["closed: the device was closed while it was being opened again"]
         assert device.closed and list(device) == []
 
@@ -560,6 +516,8 @@ def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
             kind.at(peer.near, **options)
     with kind.at(peer.near) as device, pytest.raises(ValueError, match="baud rate"):
         device.change_baud(mip_3dm.UartBaudRate.write(9600))
+    with pytest.raises(TypeError, match="baud rate '115200': must be a whole number, such as 115200"):
+        sync.open_port("localhost:1", "115200")
 
 
 # --------------------------------------------------------------------------- the package
@@ -621,33 +579,26 @@ def test_one_command_in_two_requests(kind: Kind, peer: Peer) -> None:
             except mip.MipError as error:
                 ended.append(type(error))
 
-        thread = threading.Thread(target=patient)
-        thread.start()
-        peer.command()
-        with pytest.raises(mip.NoAnswer) as caught:
-            device.request(PING, timeout=0.05)
-        assert caught.value.command is PING and not ended
-        peer.command()
-        peer.send(packet(0x01, "f1 01 00"))
-        thread.join(PATIENCE)
+        with running(patient):
+            peer.command()
+            with pytest.raises(mip.NoAnswer) as caught:
+                device.request(PING, timeout=0.05)
+            assert caught.value.command is PING and not ended
+            peer.command()
+            peer.send(acknowledge(1, 1))
         assert ended == [None]
 
 
 def test_times_without_end(kind: Kind, peer: Peer) -> None:
     with kind.at(peer.near) as device:
-        thread = threading.Thread(target=lambda: (peer.command(), peer.send(packet(0x01, "f1 01 00"))))
-        thread.start()
+        peer.answering(acknowledge(1, 1))
         assert device.request(PING, timeout=math.inf) is None
-        thread.join(PATIENCE)
 
 
 @pytest.mark.parametrize("how", ["request", "request_all", "exchange", "next", "reopen"])
-def test_times_that_are_invalid(kind: Kind, how: str) -> None:
+def test_times_that_are_invalid(kind: Kind, server: socket.socket, how: str) -> None:
     """They are rejected, and nothing else happens."""
-    with (
-        socket.create_server(("localhost", 0)) as server,
-        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
-    ):
+    with kind.open(url(server)) as device:
         commands = [PING] if how in ("request", "request_all", "exchange") else []
         name = "within" if how == "reopen" else "timeout"
         for wrong in (math.nan, -1):

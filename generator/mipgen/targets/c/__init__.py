@@ -10,7 +10,7 @@ The finished source is in runtime/c. Where to change what, and its tests in `tes
 - finding a device and starting its data, mip/connect.h: `session` in `calls`; `unit/connect.c`, `test_c_first_day.py`
 - serial ports and TCP, which are no part of the library: ports/; `test_c_first_day.py`, also with mingw; a lost port,
   line.c: `tests/virtual/test_reopen.py`
-- deviations from MISRA C, with reasons: MISRA.md; `test_c_misra.py`
+- deviations from MISRA C, with reasons: MISRA.md; `test_c_matrix.py`
 - what is proved, and what is fuzzed: `tests/prove`, `tests/fuzz`, docs/proofs.md
 """
 

@@ -131,5 +131,5 @@ TARGET = Target(
     rename=package.in_source,
     grammar=names.GRAMMAR,
     formatter=formatting.RUFF,
-    conformance=("parse", "decode", "encode", "client", "live"),
+    conformance=("parse", "decode", "encode", "client"),
 )

@@ -174,6 +174,6 @@ TARGET = Target(
     identifiers=identifiers,
     rename=package.in_source,
     grammar=names.GRAMMAR,
-    conformance=("parse", "decode", "encode", "client", "live"),
+    conformance=("parse", "decode", "encode", "client"),
     program="cargo",
 )

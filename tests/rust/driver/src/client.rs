@@ -1,6 +1,4 @@
-//! The `client` and `live` requests: steps in, events out.
-
-use std::time::{Duration, Instant};
+//! The `client` requests: steps in, events out.
 
 use mip_protocol::dynamic::Value;
 use mip_protocol::{
@@ -9,7 +7,6 @@ use mip_protocol::{
 };
 
 use crate::json::Json;
-use crate::port::Port;
 use crate::{
     bytes, decode_error, decode_field, encode_error, hex, object, string, to_value, value_error,
     Answer,
@@ -21,59 +18,27 @@ struct Session {
     now: u32,
     sent: Vec<Ticket<()>>,
     events: Vec<Json>,
-    /// The port of a `live` request, and whether its end was reported.
-    port: Option<Port>,
-    told: bool,
 }
 
 pub fn play(request: &Json) -> Answer {
-    play_steps(request, None)
-}
-
-/// The same at a port, with the time of a clock.
-pub fn play_live(request: &Json) -> Answer {
-    let name = request.get("port").and_then(Json::string).ok_or("request")?;
-    request.get("steps").and_then(Json::array).ok_or("request")?;
-    play_steps(request, Some(Port::open(name).map_err(|_| "port")?))
-}
-
-fn play_steps(request: &Json, port: Option<Port>) -> Answer {
     let mut parser = Parser::new();
     let (client, sent, events) = (Client::default(), Vec::new(), Vec::new());
     let now = u32::MAX - 1500; // it wraps around soon
-    let mut session = Session { client, now, sent, events, port, told: false };
+    let mut session = Session { client, now, sent, events };
     for step in request.get("steps").and_then(Json::array).ok_or("request")? {
-        let kind = step.get("step").and_then(Json::string).ok_or("request")?;
-        match (kind, session.port.is_some()) {
-            ("send", _) => session.send(step)?,
-            ("end", _) => session.end(&mut parser),
-            ("receive", false) => session.receive(step, &mut parser)?,
-            ("time", false) => {
-                session.now = session.now.wrapping_add(milliseconds(step)?);
+        match step.get("step").and_then(Json::string).ok_or("request")? {
+            "send" => session.send(step)?,
+            "end" => session.end(&mut parser),
+            "receive" => session.receive(step, &mut parser)?,
+            "time" => {
+                let passed = step.get("milliseconds").and_then(Json::integer).ok_or("request")?;
+                session.now = session.now.wrapping_add(passed);
                 session.poll(&mut parser);
-            }
-            ("answers", true) => {
-                while session.client.pending() > 0 {
-                    session.read(LOOK, &mut parser);
-                }
-            }
-            ("listen", true) => {
-                let end = Instant::now() + Duration::from_millis(milliseconds(step)?.into());
-                while let Some(left) = end.checked_duration_since(Instant::now()) {
-                    session.read(left.min(LOOK), &mut parser);
-                }
             }
             _ => return Err("request"),
         }
     }
     Ok(object([("events", Json::Array(session.events))]))
-}
-
-/// How long to wait for bytes before the time is checked.
-const LOOK: Duration = Duration::from_millis(100);
-
-fn milliseconds(step: &Json) -> Result<u32, &'static str> {
-    step.get("milliseconds").and_then(Json::integer).ok_or("request")
 }
 
 fn number(of: usize) -> Json {
@@ -94,7 +59,6 @@ impl Session {
         if fields.is_empty() {
             return Err("request");
         }
-        self.tick();
         let before = self.client.clone();
         let mut packets = self.client.barrier().map_or_else(Vec::new, |p| p.bytes().to_vec());
         let mut request = self.client.request(set);
@@ -121,9 +85,6 @@ impl Session {
         let packet = request.send(self.now);
         packets.extend_from_slice(packet.bytes());
         let bytes = hex(&packets);
-        if let Some(port) = &mut self.port {
-            port.write(&packets);
-        }
         let first = self.sent.len();
         self.sent.extend_from_slice(&tickets);
         let commands = Json::Array((first..self.sent.len()).map(number).collect());
@@ -141,29 +102,10 @@ impl Session {
             None => stream.len().max(1),
         };
         for chunk in stream.chunks(chunk) {
-            self.arrived(chunk, parser);
+            parser.feed(chunk).for_each(|packet| self.take(&packet));
+            self.poll(parser);
         }
         Ok(())
-    }
-
-    fn arrived(&mut self, data: &[u8], parser: &mut Parser) {
-        parser.feed(data).for_each(|packet| self.take(&packet));
-        self.poll(parser);
-    }
-
-    /// Takes the time from a clock, if there is a port.
-    fn tick(&mut self) {
-        self.now = self.port.as_ref().map_or(self.now, Port::milliseconds);
-    }
-
-    fn read(&mut self, longest: Duration, parser: &mut Parser) {
-        let data = self.port.as_mut().map_or_else(Vec::new, |port| port.read(longest));
-        self.tick();
-        self.arrived(&data, parser);
-        if self.port.as_ref().is_some_and(|port| port.closed) && !self.told {
-            self.told = true;
-            self.happens("closed", []);
-        }
     }
 
     fn poll(&mut self, parser: &mut Parser) {

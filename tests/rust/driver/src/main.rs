@@ -4,7 +4,6 @@
 
 mod client;
 mod json;
-mod port;
 
 use std::io::{self, BufRead, Write};
 
@@ -42,7 +41,6 @@ fn answer(request: &Json) -> Answer {
         Some("decode") => decode(request),
         Some("encode") => encode(request),
         Some("client") => client::play(request),
-        Some("live") => client::play_live(request),
         _ => Err("request"),
     }
 }

@@ -1,12 +1,14 @@
-// The times of packets and the validity of values, with classes and with the model, as JSON:
+// Answers of the modules to each line of standard input, as JSON: answers.mjs GENERATED_FOLDER TOPIC
 //
-//     times.mjs GENERATED_FOLDER < packets, one a line: hexadecimal, and the id of a device; or: utc, and a GPS time
+//     json       the name and the data of a field: its data after JSON, its data after a structured clone, and the JSON
+//     rejected   a case of tests/rejected.json: the field for which a device rejects the command
+//     times      a packet and the id of a device, or `utc` and a GPS time: times and validity, with classes and with the model
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 const load = (name) => import(pathToFileURL(path.resolve(process.argv[2], name)));
-const { Packet } = await load("mip/index.mjs");
+const { fromHex, Packet, toHex } = await load("mip/index.mjs");
 const { registry } = await load("registry.mjs");
 const { Clock, Times } = await load("time.mjs");
 const tools = await load("mip/tools.mjs");
@@ -55,13 +57,31 @@ function values(packet, device) {
     return found;
 }
 
-const answers = readFileSync(0, "utf8")
-    .trimEnd()
-    .split("\n")
-    .map((line) => {
+const hexOf = (number) => toHex(Uint8Array.of(number)).toUpperCase();
+
+const topics = {
+    json(line) {
+        const [name, data = ""] = line.split(" ");
+        const kind = registry.field(name);
+        const field = kind.decode(fromHex(data));
+        const json = JSON.stringify(field);
+        return [kind.fromJSON(JSON.parse(json)), new kind(structuredClone(field))].map((one) => toHex(one.encode())).concat(json);
+    },
+
+    async rejected(line) {
+        const { cause } = await load("mip/rejected.mjs");
+        const { command, data, device, descriptors } = JSON.parse(line);
+        const [set, descriptor] = fromHex(command);
+        const known = { device: model.devices.find((one) => one.id === device) };
+        if (descriptors) known.descriptors = new Set(descriptors.split(" ").map((one) => Number.parseInt(one, 16)));
+        const found = cause(protocol, { set, descriptor, data: fromHex(data) }, known);
+        return found ? [found.index, hexOf(found.set), hexOf(found.descriptor), found.reason, found.text] : null;
+    },
+
+    times(line) {
         const [hex, device] = line.split(" ");
         if (hex === "utc") return { classes: Clock.GPS.utc(BigInt(device)), model: modelled[0].utc(BigInt(device)) };
-        const packet = new Packet(tools.fromHex(hex));
+        const packet = new Packet(fromHex(hex));
         return {
             classes: named(clocks, (clock) => packet.time(clock, device)),
             model: named(modelled, (clock) => packet.time(clock, device)),
@@ -69,5 +89,9 @@ const answers = readFileSync(0, "utf8")
             modelLog: named(modelled, (clock) => modelledTimes.time(packet, clock)),
             valid: values(packet, device),
         };
-    });
+    },
+};
+
+const answers = [];
+for (const line of readFileSync(0, "utf8").trimEnd().split("\n")) answers.push(await topics[process.argv[3]](line));
 process.stdout.write(JSON.stringify(answers, (_, value) => (typeof value === "bigint" ? `${value}` : value)));

@@ -1,3 +1,51 @@
+// What tests do on the pages of the workbench, on every page that is opened.
+const all = (selector) => [...document.querySelectorAll(selector)];
+
+/** Sets a control as a reader would; `enter` then presses Enter in its form. */
+window.put = (selector, value) => {
+    const control = document.querySelector(selector);
+    if (control.type === "checkbox") control.checked = value;
+    else control.value = value;
+    for (const name of ["input", "change"]) control.dispatchEvent(new Event(name, { bubbles: true }));
+};
+window.enter = (selector, value) => {
+    put(selector, value);
+    document.querySelector(selector).form.requestSubmit();
+};
+window.press = (words) => {
+    const found = all("button").find((one) => one.textContent === words && one.offsetParent);
+    if (!found) throw new Error(`there is no button ${words}`);
+    found.click();
+};
+window.text = (selector) => document.querySelector(selector)?.textContent ?? "";
+window.texts = (selector) => all(selector).map((one) => one.textContent);
+window.data = (selector, key) => all(selector).map((one) => one.dataset[key]);
+window.until = async (condition, seconds = 30) => {
+    for (const end = performance.now() + seconds * 1000; performance.now() < end; ) {
+        const found = condition();
+        if (found) return found;
+        await new Promise((done) => setTimeout(done, 20));
+    }
+    throw new Error(`never: ${condition}`);
+};
+window.pause = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+
+/** Chooses fields of sets with the rates beside them: [set, field, Hz]. */
+window.choose = (device, wanted) => {
+    put("select", device);
+    for (const box of all("[data-set] [type=checkbox]:checked")) box.click();
+    for (const [set, field, rate] of wanted) {
+        const [box, input] = all(`[data-set="${set}"] [data-field="${field}"] input`);
+        input.value = rate;
+        box.checked = true;
+        box.dispatchEvent(new Event("input"));
+    }
+    return {
+        need: document.querySelector(".mip-need")?.textContent ?? null,
+        ports: Object.fromEntries(all("[data-port]").map((one) => [one.dataset.port, one.querySelector("span").textContent])),
+    };
+};
+
 // Fills in the form of the builder by its labels, as a reader would; numbers are given as text.
 window.fill = (() => {
     const own = (part) => part.querySelector(":scope > label, :scope > legend")?.textContent.trim();
@@ -47,9 +95,7 @@ window.fill = (() => {
         }
     };
     return (name, set, selector, values) => {
-        const search = document.querySelector("#mip-field");
-        put(search, name);
-        search.form.requestSubmit(); // as Enter does
+        enter("#mip-field", name);
         if (selector !== null) put(at(["function"]).querySelector("select"), selector);
         if ([...document.querySelector(".mip-form").children].some((part) => own(part) === "set")) {
             put(at(["set"]).querySelector("select"), String(set));
@@ -58,10 +104,8 @@ window.fill = (() => {
         return {
             bytes: document.querySelector(".mip-packet-bytes")?.textContent ?? document.querySelector(".mip-wrong").textContent,
             answer: document.querySelector(".mip-answer")?.textContent ?? null,
-            responses: [...document.querySelectorAll(".mip-output li")].map((item) => item.dataset.field),
-            sources: Object.fromEntries(
-                [...document.querySelectorAll("[data-language]")].map((code) => [code.dataset.language, code.textContent]),
-            ),
+            responses: data(".mip-output li", "field"),
+            sources: Object.fromEntries(all("[data-language]").map((code) => [code.dataset.language, code.textContent])),
         };
     };
 })();
