@@ -1,11 +1,13 @@
-"""Devices: the evidence for what they have, and what they inherit; a further device needs one file only."""
+"""Devices: the evidence for what they have, what they inherit and send; a further device needs one file only."""
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import pytest
 from mipgen import model as m
+from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
@@ -167,3 +169,77 @@ def test_ports_have_the_names_of_their_device() -> None:
             assert named == {p.id: p.name.lower().replace(" ", "_") for p in d.ports}, d.id
             found += 1
     assert found > 2, "the command and its response, of several devices"
+
+
+# --------------------------------------------------------------------------- answers
+
+
+def said(name: str) -> list[str]:
+    facts = describe.topics(describe.field(some(REAL.field(name)), REAL), "silent")
+    return [describe.say(f.sentence, lambda r: f"<{r.words}>") for f in facts]
+
+
+def test_echo_control() -> None:
+    """The same setting silences all aiding measurements, and nothing else."""
+    silent = {f.full_name for f in REAL.fields if f.silenced_by}
+    settings = {"aiding.frame_config", "aiding.sensor_frame_map", "aiding.echo_control"}
+    commands = {f.full_name for f in REAL.fields if f.family == "aiding" and f.role == m.COMMAND}
+    assert silent == commands - settings and len(silent) == 10
+    wanted = ["Not acknowledged if <mode> of <aiding.echo_control> is <suppress_ack>."]
+    assert all(said(name) == wanted for name in silent)
+
+
+def test_devices_that_send_a_response() -> None:
+    """A device that supports no function with a response does not send the response."""
+    names = {"write", "apply"}
+    settings, response = some(INVENTED.field("tools.settings")), some(INVENTED.field("tools.settings_response"))
+    functions = tuple(f for f in settings.functions if f.name in names)
+    writes = m.Support(settings, settings.set, functions, m.Evidence("documented"))
+    devices = tuple(
+        dataclasses.replace(d, supports=tuple(writes if s.field is settings else s for s in d.supports))
+        if d.id == "model-b"
+        else d
+        for d in INVENTED.devices
+    )
+    changed = dataclasses.replace(INVENTED, devices=devices)
+    assert [d.id for d in INVENTED.devices_of(response)] == ["model-a", "model-b", "model-c"]
+    assert [d.id for d in changed.devices_of(settings)] == ["model-a", "model-b", "model-c"]
+    assert [d.id for d in changed.devices_of(response)] == ["model-a", "model-c"]
+    assert [d.id for d in INVENTED.devices_of(some(INVENTED.field("tools.inventory_response")))] == [
+        "model-a",
+        "model-c",
+    ]
+
+
+def test_devices_that_send_a_layout() -> None:
+    """Each device sends the layouts that name it, else those that name none."""
+    status = some(REAL.field("3dm.device_status"))
+    start, end = "device_status_", "_response"
+    sent = {
+        d.id: [r.name.removeprefix(start).removesuffix(end) for r in REAL.answers(status, d.id)]
+        for d, _ in REAL.supports(status)
+    }
+    assert sent["3dm-gx5-15"] == sent["3dm-cv5-25"] == ["basic", "diagnostic"]
+    assert sent["3dm-gq4-45"] == ["basic", "diagnostic_gq4_45"]
+    assert sent["3dm-gx5-45"] == sent["3dm-gx4-45"] == ["basic", "diagnostic_gnss"]
+    assert sent["3dm-gx4-15"] == ["basic_without_state", "diagnostic_gx4"]
+    assert sent["3dm-cx5-10"] == ["basic_without_state", "diagnostic_imu"]
+    gq4 = some(REAL.field("3dm.device_status_diagnostic_gq4_45_response"))
+    sending = [[d.id for d in REAL.devices_of(gq4, answer)] for answer in m.SUPPORTED]
+    assert sending == [["3dm-gq4-45"], [], []]
+    names = {r.full_name for r in REAL.responses(status)}
+    for d, _ in REAL.supports(status):  # the notes of the devices, which cite the source
+        note = next((n.description for n in d.notes if n.name == "device_status"), "")
+        told = {name for name in names if f"`{name}`" in note}
+        assert not told or told == {r.full_name for r in REAL.answers(status, d.id)}, d.id
+
+
+def test_layouts_that_name_a_device_are_no_longer_those_of_all() -> None:
+    def bound(f: m.Field) -> m.Field:
+        return dataclasses.replace(f, devices=("model-a",)) if f.name == "status_long" else f
+
+    families = tuple(dataclasses.replace(x, fields=tuple(map(bound, x.fields))) for x in INVENTED.families)
+    of = dataclasses.replace(INVENTED, families=families)
+    assert [f.name for f in of.answers(some(of.field("tools.status")), "model-b")] == [
+        "status_short", "status_long", "status_old", "status_full"
+    ]  # fmt: skip

@@ -141,21 +141,3 @@ def test_constructors() -> None:
     assert [w.function.name for w in (write, read) if w.function] == ["write", "read"]
     assert (names(write.passed), names(write.values), names(write.addable)) == (["n", "a"], ["a"], ["o"])
     assert (names(read.passed), names(read.optional)) == ([], [])
-
-
-def test_a_tag_follows_from_its_union() -> None:
-    f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]")
-    (way,) = calls.constructors(f)
-    assert names(way.values) == ["a", "b"] and list(way.unions) == ["a"]
-
-
-def test_only_hosts_make_commands() -> None:
-    assert calls.constructors(field("[{name: a, type: u8}]", role="data")) == ()
-    assert [w.function for t in INVENTED.all_types if isinstance(t, m.Struct) for w in calls.constructors(t)]
-
-
-def test_replies_depend_on_the_function() -> None:
-    f = invented("tools.settings")
-    by_name = {x.name: x for x in f.functions}
-    assert calls.replies(f, by_name["write"], INVENTED) == []
-    assert calls.replies(f, by_name["read"], INVENTED) == calls.replies(f, None, INVENTED) != []
