@@ -48,6 +48,7 @@ ROWS = (
     Measured("parse, in chunks of 64 bytes", "small", "bare_small", "ours_small", "peer"),
     Measured("parse, byte by byte", "bytewise", "", "ours_bytewise", "peer"),
     Measured("parse: `PacketReader`", "reader", "bare_parse", "ours_read", "peer"),
+    Measured("parse: `Device::next_packet`", "device", "bare_parse", "", "peer"),
     Measured("parse, decode every field: `get`", "get", "bare_get", peer="peer_get"),
     Measured("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry", "peer_get"),
     Measured("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry", "peer_get"),
@@ -313,9 +314,9 @@ def report(readme: bool = False) -> str:
     out += "which takes single bytes; or how many times as many instructions those execute. The stream is like a\n"
     out += f"recording: {SIZE // 1_000_000} MB, more than a cache holds, and 43 % of its fields are shared ones.\n"
     out += "Shuffled, its packets are in random order, so that branches cannot be predicted.\n\n"
-    out += "The plain loop has all bytes in memory; in the rows with chunks and for `PacketReader`, it joins\n"
-    out += "chunks in a `Vec`. Where fields are decoded, the plain loop has all bytes, and the crate gets chunks of\n"
-    out += "4 KiB. The crate copies a packet that a chunk cuts: parsing in chunks of 64 bytes takes\n"
+    out += "The plain loop has all bytes in memory; in the rows with chunks, for `PacketReader` and `Device`, it\n"
+    out += "joins chunks in a `Vec`. Where fields are decoded, the plain loop has all bytes, and the crate gets\n"
+    out += "chunks of 4 KiB. The crate copies a packet that a chunk cuts: parsing in chunks of 64 bytes takes\n"
     out += f"{ratio(times['small'], times['slice'])} times as long as parsing one slice.\n\n"
     out += table(heads[:columns], [row[:columns] for row in rows])
     if missing:

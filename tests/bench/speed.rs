@@ -5,7 +5,9 @@
 mod peer;
 
 use std::hint::black_box;
+use std::io::{self, Read, Write};
 
+use mip_protocol::device::{Device, StdPort};
 use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::{filter_data as filter, packets, sensor, shared, types};
 use mip_protocol::{AnyField, Field, Packet, PacketBuilder, PacketReader, Parser, RawField};
@@ -52,6 +54,33 @@ fn bytewise(data: &[u8]) -> usize {
 fn reader(data: &[u8]) -> usize {
     let (mut reader, mut count) = (PacketReader::new(data), 0);
     while let Ok(Some(packet)) = reader.next_packet() {
+        count += whole(&packet);
+    }
+    count
+}
+
+/// A port whose bytes are in memory, and that ignores what is sent.
+struct Memory<'a>(&'a [u8]);
+
+impl Read for Memory<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.0.read(buffer)
+    }
+}
+
+impl Write for Memory<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+fn device(data: &[u8]) -> usize {
+    let (mut device, mut count) = (Device::new(StdPort::new(Memory(data))), 0);
+    while let Ok(Some(packet)) = device.next_packet(0) {
         count += whole(&packet);
     }
     count
@@ -338,6 +367,7 @@ const ROWS: &[Row] = &[
     ("small", small),
     ("bytewise", bytewise),
     ("reader", reader),
+    ("device", device),
     ("get", get),
     ("any", any),
     ("visitor", visitor),

@@ -48,7 +48,7 @@ use crate::client::{
 };
 use crate::error::DecodeError;
 use crate::field::{Command, RawField};
-use crate::packet::{FromPacket, Packet, MAX_PACKET};
+use crate::packet::{FromPacket, Packet, HOST, MAX_PACKET};
 use crate::parser::{copy, Parser};
 use crate::protocol::DescriptorSet;
 use crate::time::Time;
@@ -225,8 +225,8 @@ fn closed() -> std::io::Error {
     std::io::Error::new(std::io::ErrorKind::UnexpectedEof, text)
 }
 
-/// The number of bytes that a device reads at a time from its port.
-const CHUNK: usize = 256;
+/// The number of bytes that a device reads at a time from its port. They are on the stack.
+const CHUNK: usize = if HOST { 1024 } else { 256 };
 
 /// After a deadline, the port is read at most this many times, while bytes arrive: if the program
 /// was suspended, the reply may be among the bytes that arrived in the meantime.
@@ -707,8 +707,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         &mut self,
         wait_ms: u32,
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
-        self.core.client.give_up();
         if self.core.data.len() == 0 {
+            self.core.client.give_up();
             let end = after(self.port.now_ms(), wait_ms);
             let came = self.read_until(end, |core| core.data.len() > 0);
             if !came.map_err(DeviceError::Port)? {

@@ -247,8 +247,10 @@ where
         &mut self,
         wait_ms: u32,
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
-        self.core.client.give_up();
-        self.read_until(wait_ms, |core| core.data.len() > 0).await?;
+        if self.core.data.len() == 0 {
+            self.core.client.give_up();
+            self.read_until(wait_ms, |core| core.data.len() > 0).await?;
+        }
         Ok(self.core.data.pop())
     }
 

@@ -11,7 +11,9 @@ use crate::device::{Device, DeviceError, Port};
 #[cfg(feature = "devices")]
 use crate::devices::{model_number, Known, Profile, Rejected};
 use crate::error::EncodeError;
-use crate::field::{check, RawField};
+use crate::field::check;
+#[cfg(feature = "devices")]
+use crate::field::RawField;
 use crate::packet::MAX_FIELD_DATA;
 #[allow(unused_imports)]
 use crate::types;
