@@ -344,8 +344,9 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
  *
  * Sets the baud rate of one communication port.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`. Confirmed on 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 8 more.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`. Devices without it may have
+ * `3dm.UartBaudRate`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed
+ * on 8 more.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while
  * the device is idle, and wait 250 ms before you continue. Commands and data during the change may be lost, or sent at

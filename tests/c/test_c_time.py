@@ -162,7 +162,8 @@ int main(void) {
     CHECK(mip_stream_rejected(0x91, 0, rates, &ar).reason == MIP_REJECTION_ABSENT);
     static struct mip_rate many[MIP_MAX_FIELD_DATA];
     CHECK(mip_stream_rejected(0x91, MIP_MAX_FIELD_DATA, many, &ar).reason == MIP_REJECTION_UNKNOWN); /* not sent */
-    static const char *const reasons[] = {"", "absent", "decimation", "too_many", "undefined", "unlisted"};
+    static const char *const reasons[] = {"", "absent", "decimation", "too_many", "undefined", "unlisted",
+                                          "other_command"};
     char words[4][600];
     while (scanf("%599s %599s %599s %599s", words[0], words[1], words[2], words[3]) == 4) {
         uint8_t listed[64], command[2], data[256];

@@ -11,7 +11,7 @@ export function rejections(model) {
     return async (device, command, port) => {
         const { SET: set, DESCRIPTOR: descriptor } = command.constructor;
         const sent = { set, descriptor, data: command.encode() };
-        if (!listed(protocol, sent).length) return undefined;
+        if (!listed(protocol, sent).length && !alternatives(protocol, sent).length) return undefined;
         if (!ports.has(port)) ports.set(port, await asked(protocol, device));
         return cause(protocol, sent, ports.get(port));
     };
@@ -37,6 +37,12 @@ async function asked(protocol, device) {
     return known;
 }
 
+/** Returns the commands that do the same on devices that lack a command. */
+function alternatives(protocol, { set, descriptor }) {
+    const [command] = protocol.candidates(set, descriptor);
+    return (command?.alternatives ?? []).flatMap((name) => protocol.fields.get(name) ?? []);
+}
+
 /** Returns the data that a command lists; descriptor 0 is a whole set. */
 function listed({ model, fields }, { set: of, descriptor, data }) {
     const number = (at) => data[at] ?? 0;
@@ -57,8 +63,8 @@ function listed({ model, fields }, { set: of, descriptor, data }) {
 }
 
 /**
- * Returns the field for which a device rejected a command, undefined if nothing shows it: its index in the list, set,
- * descriptor (0: the whole set), the reason in a word, and in words.
+ * Returns the field for which a device rejected a command, or the command that it has instead, undefined if nothing
+ * shows it: its index in the list, set, descriptor (0: the whole set), the reason in a word, and in words.
  *
  * @param known `device`: its profile in the model; `descriptors`: a Set of set * 256 + descriptor, listed by the device
  */
@@ -81,6 +87,11 @@ export function cause(protocol, command, known) {
     };
     const isUnknown = (item) => sends(item) === undefined;
     const isUndefined = ({ set, descriptor }) => descriptor && !protocol.candidates(set, descriptor).length;
+    const other = sends(command) === false && alternatives(protocol, command).find(sends);
+    if (other) {
+        const { set, descriptor } = other;
+        return { index: 0, set, descriptor, reason: "other_command", text: `${title} has ${named(other)} instead` };
+    }
     return (
         first(
             "absent",

@@ -1,4 +1,4 @@
-"""The places of sets and field descriptors in the commands that list data."""
+"""The places of sets and field descriptors in the commands that list data, and commands that replace others."""
 
 from __future__ import annotations
 
@@ -18,4 +18,10 @@ LISTS: dict[tuple[int, int], tuple[tuple[int, ...], ...]] = {
     (0x0C, 0x2F): ((-1, 4, 7, 8, 1, 12, -1, 3, 2),),
     (0x0C, 0x50): ((128, 0, -1, 1, 1, -1, -1, -1, 0),),
     (0x0C, 0x54): ((-1, 1, -1, 2, 1, -1, -1, -1, 0),),
+}
+
+#: Set and descriptor of a command -> those of the commands that do the same on devices that lack it.
+ALTERNATIVES: dict[tuple[int, int], tuple[tuple[int, int], ...]] = {
+    (0x01, 0x09): ((0x0C, 0x40),),
+    (0x0C, 0x40): ((0x01, 0x09),),
 }

@@ -330,7 +330,10 @@ class Device(AtPort):
     # needs: baud rates
     async def change_baud(self, command: Command, attempts: int = 3) -> int:
         """Like `device.Device.change_baud`."""
-        return await self._follow(changing(self, command, attempts))
+        dialog = changing(self, command, attempts)
+        # needs: session
+        dialog = with_cause(dialog, self._target)
+        return await self._follow(dialog)
 
     # needs: session or baud rates
     async def _follow(self, dialog: Dialog[T]) -> T:

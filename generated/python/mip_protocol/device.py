@@ -342,7 +342,10 @@ class Device(AtPort):
         ValueError if the command or the port has no rate; Refused; and NoAnswer if the device
         replies at neither rate, in which case the port keeps the old one.
         """
-        return self._follow(changing(self, command, attempts))
+        dialog = changing(self, command, attempts)
+        # needs: session
+        dialog = with_cause(dialog, self._target)
+        return self._follow(dialog)
 
     # needs: session or baud rates
     def _follow(self, dialog: Dialog[T]) -> T:

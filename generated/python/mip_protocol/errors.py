@@ -25,12 +25,12 @@ from .types import AckCode
 
 @dataclass(frozen=True)
 class Cause:
-    """The field for which a device has rejected a command."""
+    """The field for which a device has rejected a command, or the command that it has instead."""
 
     index: int  # in the list of the command
     set: int
     descriptor: int  # 0: the whole set
-    reason: str  # "absent", "decimation", "too_many", "undefined" or "unlisted"; see `rejected`
+    reason: str  # "other_command", "absent", "decimation", "too_many", "undefined" or "unlisted"
     text: str  # "3DM-CV7-AR has no GNSS receiver"
 
 
@@ -38,7 +38,8 @@ class Refused(MipError):
     """The device has rejected a command; `code` is the reason.
 
     `outcomes`: the outcome of each command in the same packet, as `Device.exchange` returns them.
-    `cause`: the field for which the device has rejected a command that lists fields, if it is found.
+    `cause`: the field for which the device has rejected a command that lists fields, or the command
+    that it has instead, if that is found.
     """
 
     def __init__(

@@ -8349,8 +8349,9 @@ class UartBaudRate(Command[R]):
     Sets the baud rate of the main port.
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `UartBaudRateResponse`. Confirmed on 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 12 more.
+    `UartBaudRateResponse`. Devices without it may have `base.CommSpeed`. Confirmed on
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 12 more.
 
     The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from ._lists import LISTS
+from ._lists import ALTERNATIVES, LISTS
 from ._session import information, session
 from ._sets import SETS
 from .conversation import Dialog, Step, T, Ticket, responses
@@ -19,7 +19,8 @@ from .registry import types
 
 SHARED_SET = 0xFF
 
-#: Why a device rejects a field, in the order of their authority.
+#: Why a device rejects a command or a field, in the order of their authority.
+OTHER_COMMAND = "other_command"  # the device has another command for it
 ABSENT = "absent"  # the device does not send it
 DECIMATION = "decimation"  # its decimation is 0
 TOO_MANY = "too_many"  # the list is longer than permitted
@@ -50,7 +51,7 @@ class ConnectedDevice:
     asked: bool = False
 
     def sends(self, set: int, descriptor: int) -> bool | None:
-        """Does the device send this data, or with descriptor 0, any of the set? None if unknown."""
+        """Does the device have this field, or with descriptor 0, any of the set? None if unknown."""
         fields = self.descriptors or (self.profile.fields if self.profile else ())
         if any(s == set and d == descriptor or not descriptor and s == set for s, d in fields):
             return True
@@ -85,7 +86,13 @@ def listed(command: Command) -> Iterator[tuple[Listing, int, int, int | None]]:
 
 
 def find_cause(command: Command, target: ConnectedDevice) -> Cause | None:
-    """Returns the field for which a device has rejected a command; None if nothing shows it."""
+    """Returns the field for which a device has rejected a command, or the command that it has
+    instead; None if nothing shows it."""
+    key = (command.SET, command.DESCRIPTOR)
+    for set, descriptor in ALTERNATIVES.get(key, ()) if target.sends(*key) is False else ():
+        if target.sends(set, descriptor):
+            text = f"{_title(target)} has {data_name(set, descriptor)} instead"
+            return Cause(0, set, descriptor, OTHER_COMMAND, text)
     fields = list(listed(command))
     for index, (_, set, descriptor, _) in enumerate(fields):
         if target.sends(set, descriptor) is False:
@@ -119,7 +126,7 @@ def _title(target: ConnectedDevice) -> str:
 
 
 def data_name(set: int, descriptor: int) -> str:
-    """Returns the name of data, or with descriptor 0, of a set; numbers if it has none."""
+    """Returns the name of a field, or with descriptor 0, of a set; numbers if it has none."""
     of = SETS[set][0] if set in SETS else f"set 0x{set:02X}"
     if not descriptor:
         return of
@@ -129,7 +136,8 @@ def data_name(set: int, descriptor: int) -> str:
 
 def ask_and_find_cause(command: Command, target: ConnectedDevice) -> Dialog[Cause | None]:
     """Asks the device what it is and what it sends, once, and returns the cause of a rejection."""
-    if not any(True for _ in listed(command)):
+    key = (command.SET, command.DESCRIPTOR)
+    if key not in ALTERNATIVES and not any(True for _ in listed(command)):
         return None
     start = session()
     if start is not None and not target.asked:

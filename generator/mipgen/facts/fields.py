@@ -83,6 +83,9 @@ def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
         things = model.affected(f, certain)
         if things:
             yield fact(topic, joined([(thing_ref(x),) for x in things]), f"{word} {{}}.")
+    others = [x for name in f.alternatives if (x := model.field(name))]
+    if others:
+        yield fact("alternatives", joined([(thing_ref(x),) for x in others]), "Devices without it may have {}.")
     yield from changed(f, model)
     flags = model.flagged_by(f)
     if flags:

@@ -49,6 +49,12 @@ def by_command(model: m.Model) -> dict[m.Field, list[Listing]]:
     return lists
 
 
+def alternatives(model: m.Model) -> dict[m.Field, list[m.Field]]:
+    """Returns the commands with which devices that lack a command do the same."""
+    found = {f: [x for name in f.alternatives if (x := model.field(name))] for f in model.fields}
+    return {f: others for f, others in found.items() if others}
+
+
 def defined(model: m.Model) -> dict[int, tuple[int, ...]]:
     """Returns the descriptors that are defined as data, by set; those of 0xFF may be in each data set."""
     sets: dict[int, set[int]] = {}

@@ -137,6 +137,7 @@ class Field:
     everywhere: range | None = None  # the sets of a field of every command set, or every data set
     affects: tuple[str, ...] = ()  # of a command: the data fields, or whole sets, that it changes
     may_affect: tuple[str, ...] = ()  # the same, inferred
+    alternatives: tuple[str, ...] = ()  # of a command: those that do the same on devices that lack it
     timeout: float | None = None
     advanced: bool = False
     deprecated: str | None = None

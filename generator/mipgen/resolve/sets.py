@@ -15,7 +15,7 @@ from .vocabulary import cited, short_name, texts_of_node
 ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
 
 #: Keys that only commands may have.
-COMMAND_KEYS = ("affects", "functions", "responses", "silent_when", "sent_by", "timeout")
+COMMAND_KEYS = ("affects", "alternatives", "functions", "responses", "silent_when", "sent_by", "timeout")
 
 
 @dataclass
@@ -24,6 +24,7 @@ class Families:
     problems: Problems
     silences: dict[str, Node] = field(default_factory=dict)  # `silent_when` of a command, by its full name
     changes: list[Node] = field(default_factory=list)  # commands that state what they change
+    alternatives: list[Node] = field(default_factory=list)  # names of commands that replace others
 
     def resolve(self, nodes: list[Node]) -> tuple[m.Family, ...]:
         families: dict[str, m.Family] = {}
@@ -137,7 +138,7 @@ class Families:
             functions=functions, everywhere=m.DATA_SETS if kind == "shared" else None,
             affects=tuple(x for x in affects if x[-1] != "?"),
             may_affect=tuple(x[:-1] for x in affects if x[-1] == "?"),
-            timeout=node.scalar("timeout"),
+            alternatives=texts_of_node(node, "alternatives"), timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
             sent_by=node.scalar("sent_by", "host"), also=texts_of_node(node, "also"), keywords=words,
             needs=self.types.needs(node),
@@ -146,6 +147,8 @@ class Families:
         )  # fmt: skip
         if role == m.COMMAND and affects:
             self.changes.append(node)
+        if role == m.COMMAND:
+            self.alternatives += node.get("alternatives") or ()
         if role == m.COMMAND and "silent_when" in node:
             self.silences[command.full_name] = node["silent_when"]
         responses, names = [], []
@@ -292,7 +295,7 @@ class Families:
     # ----------------------------------------------------------------------- relations
 
     def related(self, fields: Sequence[m.Field], sets: Collection[str]) -> None:
-        """Checks that everything that commands change or bits concern exists, and that commands name it only once."""
+        """Checks that all that commands and bits relate to exists, and that commands name what they change once."""
         names = {name: f.role for f in fields for name in f.names}
         data = [name for name, role in names.items() if role == m.DATA]
         for node in self.changes:
@@ -305,6 +308,10 @@ class Families:
                 elif changed in listed or changed.partition(".")[0] in listed:
                     self.problems.add(entry.position, f"the command already lists '{changed}' as changed; remove it")
                 listed.add(changed)
+        for entry in self.alternatives:
+            if names.get(entry.value) != m.COMMAND:
+                near = nearest(entry.value, [name for name, role in names.items() if role == m.COMMAND])
+                self.problems.add(entry.position, f"no command '{entry.value}'{near}")
         for entry in self.types.concerned:
             if names.get(entry.value) not in (m.COMMAND, m.DATA):
                 near = nearest(entry.value, [name for name, role in names.items() if role != m.RESPONSE])

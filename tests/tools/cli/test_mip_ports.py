@@ -77,6 +77,14 @@ def test_a_new_baud_rate_is_followed(tmp_path: Path) -> None:
         assert code == 3 and error == "mip send: base.comm_speed rejected (invalid parameter)\n"
 
 
+def test_a_rejected_baud_rate_names_the_command_of_the_device() -> None:
+    with simulated("--tcp", "0", device="3dm-gx5-25") as older:
+        for words in (("read", "1"), ("write", "1", "460800")):
+            code, _, error = mip("send", older, "base.comm_speed", *words)
+            text = "base.comm_speed rejected (unknown command): 3DM-GX5-25 has 3dm.uart_baud_rate instead"
+            assert (code, error) == (3, f"mip send: {text}\n")
+
+
 def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
     refused = "mip send: base.comm_speed rejected (invalid parameter)\n"
     assert mip("send", place, "base.comm_speed", "read", "9") == (3, "", refused)

@@ -3345,7 +3345,7 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
  * Sets the baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: write, read, save, load and default. Response:
- * mip_3dm_uart_baud_rate_response.
+ * mip_3dm_uart_baud_rate_response. Devices without it may have mip_base_comm_speed.
  *
  * The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later.
  *

@@ -343,7 +343,8 @@ MIP_FIELD(mip_base_continuous_built_in_test_response, 0x88);
  *
  * Sets the baud rate of one communication port.
  *
- * Functions: write, read, save, load and default. Response: mip_base_comm_speed_response.
+ * Functions: write, read, save, load and default. Response: mip_base_comm_speed_response. Devices
+ * without it may have mip_3dm_uart_baud_rate.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms.
  *

@@ -160,6 +160,13 @@ pub(super) const LISTINGS: &[Listing] = &[
     },
 ];
 
+/// Set and descriptor of commands, and of those that do the same on devices that lack them.
+#[rustfmt::skip]
+pub(super) const ALTERNATIVES: &[([u8; 2], [u8; 2])] = &[
+    ([0x01, 0x09], [0x0C, 0x40]),
+    ([0x0C, 0x40], [0x01, 0x09]),
+];
+
 /// The numbers and names of data sets, and the descriptors of their fields; those of 0xFF may be in
 /// each data set.
 #[rustfmt::skip]

@@ -1,15 +1,15 @@
-//! The field for which a device has rejected a command that lists fields.
+//! The field for which a device has rejected a command, or the command that it has instead.
 
 use core::fmt;
 
-use super::lists::{LISTINGS, SETS};
+use super::lists::{ALTERNATIVES, LISTINGS, SETS};
 use super::{Profile, Support};
 use crate::field::RawField;
 use crate::protocol::DescriptorSet;
 #[cfg(feature = "registry")]
 use crate::registry::FIELDS;
 
-/// Why a device rejects a field.
+/// Why a device rejects a command or a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -24,9 +24,11 @@ pub enum Rejection {
     Undefined,
     /// No source states that this model sends it.
     Unlisted,
+    /// The device has another command for it, whose set and descriptor are stated.
+    OtherCommand,
 }
 
-/// The reasons, in the order in which they are searched.
+/// The reasons to reject a field, in the order in which they are searched.
 const REASONS: [Rejection; 5] = [
     Rejection::Absent,
     Rejection::Decimation,
@@ -47,7 +49,7 @@ pub struct Known<'d> {
 }
 
 impl Known<'_> {
-    /// Returns whether the device sends this data or, for descriptor 0, any of the set.
+    /// Returns whether the device has this field or, for descriptor 0, any of the set.
     #[must_use]
     pub fn sends(&self, set: DescriptorSet, descriptor: u8) -> Support {
         let lists = |number: &u16| match (number.to_be_bytes(), descriptor) {
@@ -103,8 +105,9 @@ pub struct Rejected {
 }
 
 impl Rejected {
-    /// Finds the field for which a device with this profile or these descriptors rejects a command;
-    /// `None` if the command lists no fields, cannot be encoded, or nothing shows the field.
+    /// Finds the field for which a device with this profile or these descriptors rejects a command,
+    /// or the command that it has instead; `None` if the command cannot be encoded, or nothing shows
+    /// it.
     #[must_use]
     pub fn of<C: crate::Command>(command: &C, known: &Known<'_>) -> Option<Self> {
         let mut data = [0; crate::packet::MAX_FIELD_DATA];
@@ -116,6 +119,18 @@ impl Rejected {
     /// Like [`Rejected::of`], for an encoded command.
     #[must_use]
     pub fn find(command: &RawField<'_>, known: &Known<'_>) -> Option<Self> {
+        let own = |found: &&([u8; 2], [u8; 2])| found.0 == [command.set.0, command.descriptor];
+        let mut others = ALTERNATIVES.iter().filter(own).map(|(_, other)| *other);
+        if known.sends(command.set, command.descriptor) == Support::No {
+            let has = |[set, descriptor]: &[u8; 2]| {
+                let support = known.sends(DescriptorSet(*set), *descriptor);
+                support != Support::No && support != Support::Unknown
+            };
+            if let Some([set, descriptor]) = others.find(has) {
+                let (reason, set, profile) = (Rejection::OtherCommand, DescriptorSet(set), known.profile);
+                return Some(Self { reason, index: 0, set, descriptor, count: 0, most: None, profile });
+            }
+        }
         REASONS.iter().find_map(|reason| {
             let lists = LISTINGS.iter().filter(|list| list.is_in(command));
             let mut items = lists.flat_map(|list| list.items(command));
@@ -146,6 +161,7 @@ impl fmt::Display for Rejected {
             (Rejection::Undefined, _) => {
                 write!(f, "0x{descriptor:02X} is not a field of {}", Name(set, 0))
             }
+            (Rejection::OtherCommand, _) => write!(f, "{title} has {field} instead"),
             (Rejection::Unlisted, _) => write!(f, "{title} is not known to send {field}"),
         }
     }
@@ -165,7 +181,7 @@ impl defmt::Format for Rejected {
     }
 }
 
-/// The name of data, or with descriptor 0, of a set; numbers if it has none, or without the
+/// The name of a field, or with descriptor 0, of a set; numbers if it has none, or without the
 /// registry.
 struct Name(DescriptorSet, u8);
 
@@ -269,6 +285,7 @@ impl Item {
             Rejection::Undefined => {
                 sends == Support::Unknown && descriptor != 0 && !is_defined(set, descriptor)
             }
+            Rejection::OtherCommand => false, // no field is to blame
             Rejection::Unlisted => sends == Support::Unknown && known.profile.is_some(),
         }
     }

@@ -372,7 +372,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`CommSpeedResponse`]. Confirmed on
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`CommSpeedResponse`]. Devices
+    /// without it may have [`mip_3dm::UartBaudRate`](crate::mip_3dm::UartBaudRate). Confirmed on
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 8 more.

@@ -3354,7 +3354,8 @@ record! {
     /// Also called `uart_baudrate`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Response: [`UartBaudRateResponse`]. Confirmed on
+    /// Response: [`UartBaudRateResponse`]. Devices without it may have
+    /// [`base::CommSpeed`](crate::base::CommSpeed). Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);

@@ -22,7 +22,7 @@ from collections.abc import Iterator, Sequence
 from mipgen import model as m
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Target
-from mipgen.lower.lists import by_command, defined
+from mipgen.lower.lists import alternatives, by_command, defined
 
 from . import calls, literals, names, validity, view
 from .comments import comment
@@ -102,7 +102,12 @@ def code(model: m.Model) -> Iterator[File]:
     for name in ("names.h", "names.c", "profiles.h", "profiles.c", "reflection.c", "registry.c", "rejected.h"):
         yield File(f"{FOLDER}extra/{name}", f"{name}.j2", {"library": library, "session": session})
     bits = {n: [sum(1 << d % 8 for d in ds if d // 8 == i) for i in range(32)] for n, ds in defined(model).items()}
-    rejected = {"commands": by_command(model), "defined": [*bits.items()], "session": session}
+    rejected = {
+        "commands": by_command(model),
+        "alternatives": alternatives(model),
+        "defined": [*bits.items()],
+        "session": session,
+    }
     yield File(f"{FOLDER}extra/rejected.c", "rejected.c.j2", rejected)
     if inline := library.inline:
         yield File(f"{FOLDER}protocol_inline.h", "inline.h.j2", {"header": "protocol", "fields": inline})

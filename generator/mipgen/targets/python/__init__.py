@@ -19,7 +19,7 @@ from mipgen import model as m
 from mipgen.emit import formatting, package
 from mipgen.emit.target import File, Identifier, Target
 from mipgen.lower import calls, validity
-from mipgen.lower.lists import by_command
+from mipgen.lower.lists import alternatives, by_command
 
 from . import docs, info, names, needs, session, simulation
 from .view import Device, Family, Field, Type, blocks, types
@@ -71,6 +71,7 @@ def _modules(model: m.Model) -> dict[str, dict[str, Any]]:
         },
         "_lists": {
             "commands": [((f.set, f.descriptor), [x.row for x in rows]) for f, rows in by_command(model).items()],
+            "alternatives": alternatives(model).items(),
         },
         "_scalars": {"scalars": [(s, names.SCALARS[s.name]) for s in m.SCALARS.values()]},
         "_session": {"session": session.session_commands(model)},

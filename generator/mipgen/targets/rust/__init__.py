@@ -72,7 +72,7 @@ def files(model: m.Model) -> Iterable[File]:
         yield File(f"src/{path}.rs", f"{path}.rs.j2", whole)
     descriptors = lists.defined(model)
     data_sets = [(s.number, s.name, descriptors.get(s.number, ())) for s in model.sets if s.kind != "command"]
-    listed = {"lists": lists.listings(model), "data_sets": data_sets}
+    listed = {"lists": lists.listings(model), "data_sets": data_sets, "alternatives": lists.alternatives(model)}
     yield File("src/devices/lists.rs", "devices/lists.rs.j2", listed)
     yield File("src/time/clocks.rs", "time/clocks.rs.j2", {"clocks": clocks.clocks(model)})
     for family in crate.families:

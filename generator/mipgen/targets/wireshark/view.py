@@ -153,7 +153,7 @@ def _meaning(p: m.Parameter, record: m.Record, model: m.Model) -> dict[str, obje
 
 
 def _groups(model: m.Model) -> list[tuple[str, ...]]:
-    records = [*model.fields, *m.structs(model.all_types)]
+    records: list[m.Field | m.Struct] = [*model.fields, *m.structs(model.all_types)]
     found = {r.devices for record in records for p in record.parameters for r in validity.readings([p], record)}
     return sorted(found - {()})
 

@@ -30,6 +30,17 @@ static const struct listing listings[] = {
     {0x0C, 0x50, 128, 0, -1, 1, 1, -1, -1, -1, 0}, {0x0C, 0x54, -1, 1, -1, 2, 1, -1, -1, -1, 0},
 };
 
+/** Commands, and those that do the same on devices that lack them. */
+static const struct {
+    uint8_t descriptor_set;
+    uint8_t descriptor;
+    uint8_t other_set;
+    uint8_t other_descriptor;
+} alternatives[] = {
+    {0x01, 0x09, 0x0C, 0x40},
+    {0x0C, 0x40, 0x01, 0x09},
+};
+
 /** The descriptors of data: a bit for each. */
 static const struct {
     uint8_t descriptor_set;
@@ -81,7 +92,7 @@ static bool is_defined(uint8_t descriptor_set, uint8_t descriptor) {
     return false;
 }
 
-/** Does the device send this data, or with descriptor 0, any of the set? */
+/** Does the device have this field, or with descriptor 0, any of the set? */
 static enum mip_support sends(const struct mip_known_device *known, uint8_t descriptor_set,
                               uint8_t descriptor) {
     const struct mip_profile *profile = known->profile;
@@ -106,6 +117,12 @@ static enum mip_support sends(const struct mip_known_device *known, uint8_t desc
         }
     }
     return mip_profile_support(profile, descriptor_set, descriptor);
+}
+
+/** Does the device have a field, certainly or as is believed? */
+static bool has(const struct mip_known_device *known, uint8_t descriptor_set, uint8_t descriptor) {
+    const enum mip_support support = sends(known, descriptor_set, descriptor);
+    return support != MIP_SUPPORT_NO && support != MIP_SUPPORT_UNKNOWN;
 }
 
 /** Does the reason hold for an item? */
@@ -154,6 +171,19 @@ struct mip_rejected mip_find_rejected(const struct mip_field *command,
                                       const struct mip_known_device *known) {
     const struct mip_rejected nothing = {MIP_REJECTION_UNKNOWN, 0, 0, 0, 0, 0};
     struct mip_rejected item = nothing;
+    const bool lacking =
+        sends(known, command->descriptor_set, command->descriptor) == MIP_SUPPORT_NO;
+    for (size_t i = 0; lacking && i < sizeof(alternatives) / sizeof(alternatives[0]); i++) {
+        const uint8_t set = alternatives[i].other_set;
+        const uint8_t descriptor = alternatives[i].other_descriptor;
+        if (alternatives[i].descriptor_set == command->descriptor_set &&
+            alternatives[i].descriptor == command->descriptor && has(known, set, descriptor)) {
+            item.reason = MIP_REJECTION_OTHER_COMMAND;
+            item.descriptor_set = set;
+            item.descriptor = descriptor;
+            return item;
+        }
+    }
     for (item.reason = MIP_REJECTION_ABSENT; item.reason <= MIP_REJECTION_UNLISTED; item.reason++) {
         for (size_t i = 0; i < sizeof(listings) / sizeof(listings[0]); i++) {
             if (applies(&listings[i], command) && find(&listings[i], command, known, &item)) {

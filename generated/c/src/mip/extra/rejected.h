@@ -31,7 +31,10 @@ enum mip_rejection {
     /** It is not data of the set. */
     MIP_REJECTION_UNDEFINED,
     /** No source states that this model sends it. */
-    MIP_REJECTION_UNLISTED
+    MIP_REJECTION_UNLISTED,
+    /** The device has another command for it, whose set and descriptor are stated. Searched first.
+     */
+    MIP_REJECTION_OTHER_COMMAND
 };
 
 /** What is known about a device. */
@@ -46,7 +49,7 @@ struct mip_known_device {
     size_t descriptor_count;
 };
 
-/** The field for which a device has rejected a command. */
+/** The field for which a device has rejected a command, or the command that it has instead. */
 struct mip_rejected {
     /** An `enum mip_rejection`. */
     uint8_t reason;
@@ -63,9 +66,8 @@ struct mip_rejected {
 };
 
 /**
- * Finds the field for which a device has rejected a command. `command` is the field that was sent.
- * If the command lists no fields, or nothing shows the rejected one, the reason is
- * MIP_REJECTION_UNKNOWN.
+ * Finds the field for which a device has rejected a command, or the command that it has instead.
+ * `command` is the field that was sent. If nothing shows it, the reason is MIP_REJECTION_UNKNOWN.
  */
 MIP_API struct mip_rejected mip_find_rejected(const struct mip_field *command,
                                               const struct mip_known_device *known);

@@ -22,7 +22,7 @@ from .parameters import Parameters, Values, values_of
 
 #: Facts that are in tables, and facts with sections of their own.
 TABLED = ("functions", "responses")
-RELATIONS = ("affects", "may_affect", "affected", "flags")
+RELATIONS = ("alternatives", "affects", "may_affect", "affected", "flags")
 DEVICES = ("devices", "likely", "assumed", "refused", "deprecation", "support")
 #: Longer replies are not shown beside their command, and of more values only the first ones are.
 SHORT, SHOWN = 36, 3
@@ -238,7 +238,7 @@ class Field(View[m.Field]):
         counts = ", ".join(f"{n} {word}" for word, n in answers if n)
         parts = {
             f"devices ({counts})": counts,
-            "settings": self._sentences("affects", "may_affect", "affected"),
+            "settings": self._sentences("alternatives", "affects", "may_affect", "affected"),
             "status flags": self._sentences("flags"),
             "examples": self.examples,
             "errata": self.errata or self.errata_naming,

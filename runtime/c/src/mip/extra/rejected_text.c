@@ -104,6 +104,12 @@ size_t mip_rejected_text(const struct mip_rejected *rejected, const struct mip_k
         add(&writer, " is not a field of ");
         add_name(&writer, rejected->descriptor_set, 0);
         break;
+    case MIP_REJECTION_OTHER_COMMAND:
+        add(&writer, title);
+        add(&writer, " has ");
+        add_name(&writer, rejected->descriptor_set, rejected->descriptor);
+        add(&writer, " instead");
+        break;
     case MIP_REJECTION_UNLISTED:
         add(&writer, title);
         add(&writer, " is not known to send ");
