@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.lower import codec
+from mipgen.lower.codec import CodecError
 from support import model, some
 
 MODEL = model("invented")
@@ -14,6 +15,19 @@ MODEL = model("invented")
 
 def field(name: str) -> m.Field:
     return some(MODEL.field(name))
+
+
+def test_a_field_that_is_too_long_is_refused() -> None:
+    values = {"model": "A" * 16, "length": 200, "name": "A" * 200, "rest": "A" * 37}
+    with pytest.raises(CodecError, match="254 bytes do not fit in a field"):
+        codec.encode(field("measurements.strings"), values)
+
+
+@pytest.mark.parametrize("payload", ["0101", "0301", "02"])
+def test_fields_that_are_no_fields_are_refused(payload: str) -> None:
+    head = bytes([0x75, 0x65, 1, len(payload) // 2]) + bytes.fromhex(payload)
+    with pytest.raises(CodecError, match="a field of length"):
+        codec.split(MODEL, head + codec.checksum(head))
 
 
 STATUS = MODEL.candidates(1, 0x90)
