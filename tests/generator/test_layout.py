@@ -179,6 +179,16 @@ def test_bits_describe_the_values_that_they_mark() -> None:
     assert [b.description for b in flags.bits] == ["`a` is valid.", "`b` and `c` are valid.", ""]
 
 
+def test_candidates() -> None:
+    names = {n: [f.name for f in INVENTED.candidates(*n)] for n in ((1, 0xF1), (1, 0x90), (0x80, 0xD3), (1, 0xD3))}
+    assert names == {
+        (1, 0xF1): ["acknowledge"],
+        (1, 0x90): ["status_paged", "status_short", "status_long", "status_old", "status_full"],
+        (0x80, 0xD3): ["timestamp"],
+        (1, 0xD3): [],
+    }
+
+
 def test_positions_are_those_of_the_file() -> None:
     head = "set: 5\nname: it\ntitle: It\ndescription: It.\n"
     model = load(f"{head}types:\n  kind:\n    enum: u8\n    values:\n      a: 1\n")

@@ -24,6 +24,8 @@ families:
       - {{kind: family, of: [model-a], fields: {{tools: [ping]}}}}
       - {{kind: documented, fields: {{tools: [settings]}}}}
     deprecated: {{tools.settings: use `tools.ping` instead}}
+    functions: {{tools.settings: WR}}
+    limits: [{{name: slots, value: 4, description: Number of slots.}}]
     base_rates: {{measurements: 100}}
     ports: [{PORT}]
 devices:
@@ -75,7 +77,9 @@ def test_the_strongest_evidence_counts(tmp_path: Path, within: bool) -> None:
 def test_what_a_device_lists_is_only_probable_of_those_that_are_like_it(tmp_path: Path) -> None:
     heir = device(loaded(tmp_path, LISTED, True), "heir")
     assert kinds(heir) == {"tools.ping": "sister", "tools.settings": "documented", "measurements.accel": "documented"}
-    assert [s.deprecated for s in heir.supports if s.name == "tools.settings"] == ["use `tools.ping` instead"]
+    (settings,) = (s for s in heir.supports if s.name == "tools.settings")
+    assert (settings.deprecated, m.letters(settings.functions)) == ("use `tools.ping` instead", "WR")
+    assert [limit.name for limit in heir.limits] == ["slots"]
     (ping,) = (s.evidence for s in heir.supports if s.name == "tools.ping")
     assert (ping.of, ping.firmware, ping.date, ping.undefined) == (("cousin",), None, None, ())
 

@@ -141,3 +141,8 @@ def test_constructors() -> None:
     assert [w.function.name for w in (write, read) if w.function] == ["write", "read"]
     assert (names(write.passed), names(write.values), names(write.addable)) == (["n", "a"], ["a"], ["o"])
     assert (names(read.passed), names(read.optional)) == ([], [])
+
+
+def test_only_hosts_make_commands() -> None:
+    assert calls.constructors(field("[{name: a, type: u8}]", role="data")) == ()
+    assert [w.function for t in INVENTED.all_types if isinstance(t, m.Struct) for w in calls.constructors(t)]
