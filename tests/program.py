@@ -157,24 +157,45 @@ RATES = {
 }
 
 
-@cache
-def log(seconds: float = 4.0) -> bytes:
-    """What a device sends in some seconds: inertial data, a filter and a receiver."""
-    device = VirtualDevice(DEVICE)
+Rates = dict[int, tuple[tuple[int, int], ...]]
+
+
+def streaming(device: VirtualDevice, rates: Rates = RATES) -> Any:
+    """A link with a device that sends these fields: set -> descriptors and decimations."""
     link = device.connect()
     commands: list[Any] = [base.SetIdle()]
-    for number, fields in RATES.items():
-        rates = tuple(types.DescriptorRate(*field) for field in fields)
-        commands += [mip_3dm.MessageFormat.write(number, rates), mip_3dm.DataStreamControl.write(number, True)]
+    for number, fields in rates.items():
+        formats = tuple(types.DescriptorRate(*field) for field in fields)
+        commands += [mip_3dm.MessageFormat.write(number, formats), mip_3dm.DataStreamControl.write(number, True)]
     for c in [*commands, base.Resume()]:
         link.write(bytes(c.packet()))
         device.advance(0.05)
     link.read()
-    found = b""
+    return link
+
+
+def sent(device: VirtualDevice, link: Any, seconds: float) -> bytes:
+    """What arrives in the next seconds."""
+    data = b""
     for _ in range(round(seconds * 10)):
         device.advance(0.1)
-        found += link.read()
-    return found
+        data += link.read()
+    return data
+
+
+@cache
+def log(seconds: float = 4.0) -> bytes:
+    """What a device sends in some seconds: inertial data, a filter and a receiver."""
+    device = VirtualDevice(DEVICE)
+    return sent(device, streaming(device), seconds)
+
+
+def reply(device: str) -> bytes:
+    """The packet in which a device says who it is."""
+    link = (virtual := VirtualDevice(device)).connect()
+    link.write(bytes(base.GetDeviceInfo().packet()))
+    virtual.advance(0.05)
+    return bytes(link.read())
 
 
 def section(page: str, title: str) -> str:

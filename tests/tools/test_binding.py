@@ -1,17 +1,20 @@
-"""The tools on top of a package of another specification, of two fields, and without any."""
+"""The tools on top of a package of another specification, of two fields, without any, and with fields of an overlay."""
 
 from __future__ import annotations
 
 import ast
 import os
 import re
+import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from mipgen import cli
-from support import ROOT
+from packages import real
+from support import ROOT, SPECS
 
 TOOLS = ROOT / "tools"
 
@@ -31,12 +34,12 @@ def package(folder: Path) -> Path:
     return found.parent
 
 
-def python(*words: object, path: Path | None = None, **environment: str) -> subprocess.CompletedProcess[str]:
+def python(*words: object, path: Path | None = None, data: str = "", **more: str) -> subprocess.CompletedProcess[str]:
     folders = os.pathsep.join(map(str, filter(None, (TOOLS, path))))
     clean = {k: v for k, v in os.environ.items() if k != "MIP_PACKAGE"}
     return subprocess.run(
-        [sys.executable, *map(str, words)], capture_output=True, text=True, cwd=ROOT / "docs",
-        env={**clean, "PYTHONPATH": folders, **environment},
+        [sys.executable, *map(str, words)], input=data, capture_output=True, text=True, cwd=ROOT / "docs",
+        env={**clean, "PYTHONPATH": folders, **more},
     )  # fmt: skip
 
 
@@ -100,8 +103,6 @@ def test_without_a_package_there_is_still_help() -> None:
 
 
 def test_a_package_that_lacks_what_a_tool_needs(own: Path, tmp_path: Path) -> None:
-    import shutil
-
     folder = shutil.copytree(package(own), tmp_path / "lacking")
     remedy = "regenerate it with the mipgen version of these tools"
     for words, what in ((("simulate", "my-device"), "simulation.json"), (("dump", "00"), "lacking.lookup")):
@@ -136,3 +137,52 @@ def test_pages_install_the_folder_and_no_package_of_that_name() -> None:
     commands = [c for p in pages for c in re.findall(r"pip install ([^`#\n]*)", p.read_text("utf-8"))]
     assert sum("/tools" in c for c in commands) > 5
     assert not [c for c in commands if re.search(r"(?<![\w/])tools\b", c)], commands
+
+
+# --------------------------------------------------------------------------- fields of one's own
+
+
+@pytest.fixture(scope="module")
+def overlaid(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The Python package of the specification with an overlay."""
+    folder = tmp_path_factory.mktemp("overlay")
+    words = ["--spec", str(SPECS["real"][0]), "--spec", str(ROOT / "tests/overlay"), "--target", "python"]
+    assert cli.main(["generate", *words, "--out", str(folder)]) == 0
+    return folder / "python"
+
+
+LIGHT = struct.pack(">4fB", 250.0, 0.5, 0.25, 0.125, 1)
+
+
+def log(packets: int = 3) -> bytes:
+    """Packets with a field of the overlay, and one of the specification."""
+    builder = real.packet.PacketBuilder(0x80).add(0x7A, LIGHT).add(0x04, struct.pack(">3f", 1, 2, 3))
+    return bytes(builder.build()) * packets
+
+
+def test_an_own_field_in_dump_export_and_columns(overlaid: Path, tmp_path: Path) -> None:
+    out = mip("dump", "--package", overlaid, log(1).hex())
+    assert "illuminance = 250.0 lx" in out and "lamp = on" in out
+    file = tmp_path / "log.bin"
+    file.write_bytes(log())
+    words = ("export", file, "ambient_light", "scaled_accel", "-o", "-")
+    done = python("-m", "mip_tools", *words, MIP_PACKAGE=str(overlaid))
+    assert done.returncode == 0 and done.stderr.endswith("no date: no timestamps; add one to the message format\n")
+    heading, *rows = done.stdout.splitlines()
+    assert "sensor.ambient_light.bend.x [rad]" in heading and len(rows) == 3 and "250.0,0.5,0.25,0.125" in rows[0]
+    code = f"import mip_tools; mip_tools.use({str(overlaid)!r}); log = mip_tools.read_log({str(file)!r})\n"
+    code += "print(log['sensor.ambient_light']['illuminance'].tolist(), log['sensor.scaled_accel']['scaled_accel'][0])"
+    done = python("-c", code)
+    assert (done.stdout, done.stderr) == ("[250.0, 250.0, 250.0] [1. 2. 3.]\n", "")
+
+
+def test_an_own_command_is_sent_to_a_virtual_device(overlaid: Path) -> None:
+    words = ["simulate", "3dm-cv7-gnss-ins", "--tcp", "0", "--package", str(overlaid)]
+    environment = {**os.environ, "PYTHONPATH": str(TOOLS)}
+    command = [sys.executable, "-m", "mip_tools", *words]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=environment) as process:
+        assert process.stdout is not None
+        place = process.stdout.readline().decode().strip()
+        for words, said in (["write", "state=on"], ""), (["read"], "state = on"):
+            assert said in mip("send", place, "payload.lamp", *words, "--package", overlaid)
+        process.kill()

@@ -35,6 +35,10 @@ KERNEL = ROOT / "tools/mip_tools/columns/kernel.c"
 PACKAGES = {"real": real, "invented": invented}
 
 
+def read_log(*words: Any, **more: Any) -> Any:
+    return real.mip_tools.columns.read_log(*words, **more)
+
+
 def parsed(package: Any, stream: bytes) -> list[tuple[int, Any]]:
     """What `Parser` finds, and where."""
     parser, found, at = package.parser.Parser(), [], 0
@@ -231,21 +235,16 @@ def test_columns_equal_objects_on_damaged_streams() -> None:
 
 
 @pytest.mark.usefixtures("way")
-def test_short_packets_keep_their_bytes() -> None:
-    """These packets begin and end in one of the words that checksums are computed from."""
-    assert (
-        compare(real, b"".join(packet(0x01, (i % 2 + 1, b"")) + packet(0x80, (0xD0, b"x")) for i in range(200))) == 200
-    )
-
-
-@pytest.mark.usefixtures("way")
-def test_fields_at_the_end_of_full_packets() -> None:
-    """Their data begin more than 255 bytes behind the beginning of the packet."""
+def test_packets_of_extreme_lengths() -> None:
+    """They begin and end in one of the words that checksums are computed from; or their last data begin more than 255
+    bytes behind the beginning of the packet."""
+    short = (packet(0x01, (i % 2 + 1, b"")) + packet(0x80, (0xD0, b"x")) for i in range(200))
+    assert compare(real, b"".join(short)) == 200
     full = [(1, b"")] * 124 + [(1, bytes(5))]
     ends = [[*full[:124], (1, b""), (2, bytes(3))], [*full[:124], (2, bytes(3)), (1, b"")], [(1, b"")] * 127]
     assert all(250 < len(packet(0x01, *fields)) - 6 <= 255 for fields in ends)
     compare(real, b"".join(packet(0x01, *fields) for fields in ends * 10))
-    column = real.mip_tools.columns.read_log(packet(0x01, *[(1, b"")] * 127) + packet(0x01, (1, b"")))["base.ping"]
+    column = read_log(packet(0x01, *[(1, b"")] * 127) + packet(0x01, (1, b"")))["base.ping"]
     assert column.packet.tolist() == [0] * 127 + [1]
 
 
@@ -284,7 +283,7 @@ def test_objects_while_other_columns_are_requested(monkeypatch: pytest.MonkeyPat
     """Requests look at the same pieces, and must not disturb each other."""
     monkeypatch.setattr(real.mip_tools.columns.packets, "_PIECE", 5000)
     sent = [packet(0x80, (4, struct.pack(">3f", i, 0, 0)), (5, bytes(12))) for i in range(1000)]
-    log = real.mip_tools.columns.read_log(b"".join(sent))
+    log = read_log(b"".join(sent))
     seen = []
     for n, one in enumerate(log.objects("sensor.scaled_accel")):
         if n == 9 or n == 500:
@@ -356,27 +355,26 @@ def test_every_kind_of_source(tmp_path: Path) -> None:
     stream = packet(0x80, (4, struct.pack(">3f", 1, 2, 3))) * 3
     path = tmp_path / "log.bin"
     path.write_bytes(stream)
-    read = real.mip_tools.columns.read_log
     with open(path, "rb") as file:
-        assert read(file).packets == 3
+        assert read_log(file).packets == 3
     with open(path, "rb", buffering=0) as raw:
         raw.seek(1)
-        assert (read(raw).packets, read(raw).size) == (2, len(stream) - 1)
+        assert (read_log(raw).packets, read_log(raw).size) == (2, len(stream) - 1)
     with gzip.open(tmp_path / "log.gz", "wb") as packed:
         packed.write(stream)
     with gzip.open(tmp_path / "log.gz") as packed:
-        assert read(packed).packets == 3
+        assert read_log(packed).packets == 3
     (tmp_path / "empty").write_bytes(b"")
-    assert read(tmp_path / "empty").packets == 0
+    assert read_log(tmp_path / "empty").packets == 0
     for given in (str(path), path, stream, bytearray(stream), memoryview(stream), np.frombuffer(stream, np.uint8)):
-        assert read(given).packets == 3
-    assert read(io.BytesIO(stream)).packets == 3
+        assert read_log(given).packets == 3
+    assert read_log(io.BytesIO(stream)).packets == 3
     reader, writer = os.pipe()
     os.write(writer, stream)
     os.close(writer)
     with open(reader, "rb") as pipe:
-        assert read(pipe).packets == 3
-    log = read(path)
+        assert read_log(pipe).packets == 3
+    log = read_log(path)
     column = log["sensor.scaled_accel"]
     log.close()
     assert column["scaled_accel"].tolist() == [[1, 2, 3]] * 3
@@ -396,11 +394,11 @@ def test_every_kind_of_source(tmp_path: Path) -> None:
 )
 def test_what_is_no_log(arguments: tuple[Any, ...], error: type[Exception], said: str) -> None:
     with pytest.raises(error, match=said):
-        real.mip_tools.columns.read_log(*arguments)
+        read_log(*arguments)
 
 
 def test_unknown_types_and_names() -> None:
-    log = real.mip_tools.columns.read_log(packet(0x80, (0x63, b"x"), (4, b"short")))
+    log = read_log(packet(0x80, (0x63, b"x"), (4, b"short")))
     with pytest.raises(LookupError, match=r"sensor.nothing"):
         log["sensor.nothing"]
     with pytest.raises(KeyError, match=r"set 0x82 has no field sensor.scaled_accel"):
@@ -438,7 +436,7 @@ def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() ->
         packet(0x80, (0x12, struct.pack(">dHH", 102.5, 2300, 0x1F)), gps(103), ACCEL),
         packet(0x80, reference(5), ACCEL),
     ])  # fmt: skip
-    column = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel]
+    column = read_log(stream)[real.sensor.ScaledAccel]
     clock, values, own = column.time()
     assert clock == "gps"
     first = np.datetime64("2024-02-04T00:00:00", "ns") + np.timedelta64(100 - 18, "s")
@@ -459,7 +457,7 @@ def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() ->
 def test_leap_seconds() -> None:
     weeks = [(1, 0.0), (77, 259_200.0), (1930, 16.9), (1930, 17.5), (1930, 18.0), (2400, 1.25)]
     stream = b"".join(packet(0x80, gps(tow, week), ACCEL) for week, tow in weeks)
-    times = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel].time("gps").values.astype(str).tolist()
+    times = read_log(stream)[real.sensor.ScaledAccel].time("gps").values.astype(str).tolist()
     assert times == [
         "1980-01-13T00:00:00.000000000",
         "1981-07-01T00:00:00.000000000",
@@ -474,11 +472,11 @@ def test_leap_seconds() -> None:
 def test_times_that_cannot_be(tow: float) -> None:
     stream = packet(0x80, gps(tow), ACCEL)
     stream += b"".join(packet(0x80, reference(x), ACCEL) for x in (4 * 10**18, (1 << 64) - 1))
-    column = real.mip_tools.columns.read_log(stream)[real.sensor.ScaledAccel]
+    column = read_log(stream)[real.sensor.ScaledAccel]
     assert np.isnat(column.time("gps").values).all()
     assert np.isnat(column.time("reference").values).all()
     assert column.time().clock == ""
-    late = real.mip_tools.columns.read_log(packet(0x80, gps(0, 65535), ACCEL))[real.sensor.ScaledAccel]
+    late = read_log(packet(0x80, gps(0, 65535), ACCEL))[real.sensor.ScaledAccel]
     assert np.isnat(late.time("gps").values).all()
 
 
@@ -503,7 +501,7 @@ def cells(frame: Any) -> dict[str, list[Any]]:
 
 @pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
 def test_frames(library: str) -> None:
-    log = real.mip_tools.columns.read_log(flagged())
+    log = read_log(flagged())
     unit = {"pandas": " [rad]", "polars": " [rad]", "pyarrow": ""}[library]
     plain = cells(log.frame("filter_data.euler_angles", library=library, time=None))
     assert plain == {f"{name}{unit}": [i, i] for i, name in enumerate(("roll", "pitch", "yaw"), 1)} | {
@@ -538,16 +536,16 @@ def test_a_frame_of_every_type(library: str) -> None:
 @pytest.mark.parametrize("choice", [{"library": "excel"}, {"invalid": "hide"}, {"time": "noon"}], ids=lambda c: str(*c))
 def test_choices_that_a_frame_does_not_have(choice: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=str(*choice)):
-        real.mip_tools.columns.read_log(flagged()).frame("filter_data.euler_angles", **choice)
+        read_log(flagged()).frame("filter_data.euler_angles", **choice)
     with pytest.raises(ValueError, match="at least one type"):
-        real.mip_tools.columns.read_log(b"").frame([])
+        read_log(b"").frame([])
 
 
 @pytest.mark.parametrize("missing", ["pandas", "polars", "pyarrow"])
 def test_a_missing_library_is_named(missing: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, missing, None)
     with pytest.raises(ImportError, match=f"^{missing} is missing; pip install {missing}$") as caught:
-        real.mip_tools.columns.read_log(b"").frame("sensor.scaled_accel", library=missing)
+        read_log(b"").frame("sensor.scaled_accel", library=missing)
     assert caught.value.name == missing
 
 
@@ -617,20 +615,14 @@ def installed(folder: Path, pure: bool) -> tuple[str, str]:
 
 
 @packaging
-def test_wheels_bring_compiled_code_or_none(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("pure", "tag", "said"),
+    [(False, "-cp310-abi3-", "NumPy and compiled code"), (True, "-py3-none-any.whl", "NumPy alone")],
+)
+def test_wheels_bring_compiled_code_or_none(pure: bool, tag: str, said: str, tmp_path: Path) -> None:
     """One for all versions of Python on this platform, and a pure one."""
-    (tmp_path / "platform").mkdir()
-    (tmp_path / "pure").mkdir()
-    name, version = installed(tmp_path / "platform", pure=False)
-    assert "-cp310-abi3-" in name and version.endswith("; logs are read with NumPy and compiled code\n"), (
-        name,
-        version,
-    )
-    name, version = installed(tmp_path / "pure", pure=True)
-    assert name.endswith("-py3-none-any.whl") and version.endswith("; logs are read with NumPy alone\n"), (
-        name,
-        version,
-    )
+    name, version = installed(tmp_path, pure)
+    assert tag in name and version.endswith(f"; logs are read with {said}\n"), (name, version)
 
 
 def test_the_version_without_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -659,23 +651,15 @@ def test_logs_and_columns_can_be_pickled(tmp_path: Path, monkeypatch: pytest.Mon
     stream = b"".join(packet(0x80, gps(i), ACCEL, (5, bytes(12))) for i in range(50))
     (tmp_path / "drive.bin").write_bytes(b"noise" + stream)
     monkeypatch.chdir(tmp_path)
-    by_path = real.mip_tools.columns.read_log("drive.bin", 100, 900, device="3dm-gx5-15")
-    for log in (
-        by_path,
-        real.mip_tools.columns.read_log(stream, 30),
-        real.mip_tools.columns.read_log(Path("drive.bin")),
-    ):
+    by_path = read_log("drive.bin", 100, 900, device="3dm-gx5-15")
+    for log in (by_path, read_log(stream, 30), read_log(Path("drive.bin"))):
         column = log["sensor.scaled_accel"]
         shared = log["shared.gps_timestamp"]
         monkeypatch.chdir("/")  # as in another process
         for way in (lambda x: pickle.loads(pickle.dumps(x)), copy.copy, copy.deepcopy):
             other = way(log)
-            assert (other.begin, other.end, other.device, other.packets) == (
-                log.begin,
-                log.end,
-                log.device,
-                log.packets,
-            )
+            for attribute in ("begin", "end", "device", "packets"):
+                assert getattr(other, attribute) == getattr(log, attribute)
             for one in (column, shared):
                 same = way(one)
                 assert same.type is one.type and same.names == one.names and len(same) == len(one) > 0
@@ -686,9 +670,9 @@ def test_logs_and_columns_can_be_pickled(tmp_path: Path, monkeypatch: pytest.Mon
                 assert list(same.objects()) == list(one.objects())
         monkeypatch.chdir(tmp_path)
     with open("drive.bin", "rb") as file, pytest.raises(TypeError, match="read it from a path or from bytes"):
-        pickle.dumps(real.mip_tools.columns.read_log(file))
+        pickle.dumps(read_log(file))
     assert repr(by_path) == f"<Log {str(tmp_path / 'drive.bin')!r}: bytes 100 to 900>"
-    assert repr(real.mip_tools.columns.read_log(b"abc")) == "<Log in memory: bytes 0 to 3>"
+    assert repr(read_log(b"abc")) == "<Log in memory: bytes 0 to 3>"
 
 
 # --------------------------------------------------------------------------- types without parameters
@@ -697,7 +681,7 @@ def test_logs_and_columns_can_be_pickled(tmp_path: Path, monkeypatch: pytest.Mon
 @pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
 def test_a_type_without_parameters_has_rows(library: str) -> None:
     ping, idle = (bytes(kind().packet()) for kind in (real.base.Ping, real.base.SetIdle))
-    log = real.mip_tools.columns.read_log(ping + idle + ping)
+    log = read_log(ping + idle + ping)
     frame = log.frame(real.base.Ping, library=library)
     assert len(frame) == 2 and cells(frame) == {"ping": [True, True]}
     both = cells(log.frame(["base.ping", "base.set_idle"], library=library))
@@ -706,7 +690,7 @@ def test_a_type_without_parameters_has_rows(library: str) -> None:
 
 @pytest.mark.parametrize("wrong", [4, None, int, real.types.DescriptorRate, real.types.AckCode, real.field.Command])
 def test_what_is_no_field(wrong: Any) -> None:
-    log = real.mip_tools.columns.read_log(b"")
+    log = read_log(b"")
     for ask in (log.frame, log.column, log.__getitem__, log.__contains__, lambda kind: list(log.objects(kind))):
         with pytest.raises(LookupError, match="is not a field: a column needs a class such as"):
             ask(wrong)

@@ -14,17 +14,16 @@ from typing import Any
 
 import pytest
 from mip_protocol import registry, shared
-from mip_protocol.packet import Packet
-from mip_protocol.parser import Parser
 from mip_protocol.reflection import info
 from mip_protocol.timestamps import moments
 from mip_tools import read_log
 from mip_tools.__main__ import main
 from mip_tools.columns import frames, instants, tables, text, timeline
 from mip_tools.columns.tables import Form
+from packages import real
 from random_values import chance
 from support import later, rounds
-from test_columns import gps
+from test_columns import gps, parsed
 from timed_packets import packet
 
 np, pa, pq, pandas, polars = (later(name) for name in ("numpy", "pyarrow", "pyarrow.parquet", "pandas", "polars"))
@@ -69,15 +68,10 @@ def drawn(seed: int, count: int) -> bytes:
 
 def rows_of(stream: bytes, by: str, near: int) -> list[dict[str, Any]]:
     """The rows of a table of all data: name -> value, without missing values."""
-    parser, at, last = Parser(), 0, {}
-    found: list[tuple[int, Packet]] = []
-    for one in (*parser.feed(stream), *parser.flush()):
-        at = stream.index(bytes(one), at)
-        found.append((at, one))
-        at += len(one)
+    last: dict[int, int | None] = {}
     opened: dict[int, list[Any]] = {}  # time -> the last instant with it: where it begins, its fields
     order: list[list[Any]] = []
-    for at, one in found:
+    for at, one in parsed(real, stream):
         own = moments(one)
         if "gps" in own:
             last[one.set] = own["gps"]
@@ -324,12 +318,8 @@ def test_frames_as_people_who_use_pandas_expect_them() -> None:
     assert frame.resample("250ms").mean().scaled_accel_x.tolist() == [0.5, 2.5]
     assert frame.attrs["units"]["scaled_accel_x"] == "g"
     assert log.frame("sensor.scaled_accel").attrs["units"]["scaled_accel.x [g]"] == "g"
-    for wrong in (
-        {"names": "short"},
-        {"index": "x"},
-        {"index": "time", "library": "polars"},
-        {"index": "time", "time": None},
-    ):
+    indexed = {"index": "time"}
+    for wrong in ({"names": "short"}, {"index": "x"}, indexed | {"library": "polars"}, indexed | {"time": None}):
         with pytest.raises(ValueError, match=f"^{next(iter(wrong))} "):
             log.frame("sensor.scaled_accel", **wrong)
     with pytest.raises(ValueError, match="twice"):

@@ -1,7 +1,7 @@
 """A virtual device, for development and tests without hardware.
 
 What it sends and does follows from `spec/simulation`, which `targets/python/simulation` exports. In
-`tests/tools/simulator`, `test_at_rest.py` and `test_settings_act.py` compare it with the specification; `make interop
+`tests/tools/simulator`, `test_world.py` and `test_settings_act.py` compare it with the specification; `make interop
 PEER=FOLDER` runs the vendor's example programs on it.
 """
 

@@ -1,9 +1,9 @@
-"""`mip config`: what its users see. What it carries over is in `test_settings_file`."""
+"""`mip config`: what its users see; and whatever settings a virtual device has, a file carries over to another one."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -11,12 +11,30 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import AckCode, Device, MissingResponse, Packet, Refused, base, mip_3dm, registry, system, types
+from mip_protocol import (
+    AckCode,
+    Device,
+    MissingResponse,
+    Packet,
+    Refused,
+    base,
+    devices,
+    mip_3dm,
+    registry,
+    system,
+    types,
+)
 from mip_protocol.errors import Cause
 from mip_simulator import LivePort, VirtualDevice
-from mip_tools.configuration.talk import Talk, nack_text
+from mip_tools.configuration import parsed
+from mip_tools.configuration.talk import Pushed, Talk, nack_text
+from mip_tools.configuration.written import file_text
 from mip_tools.ports import connection
-from program import mip
+from mipgen import model as m
+from mipgen.lower import codec
+from program import mip, streaming
+from support import PATIENCE, heavy, model
+from virtual.commands import commands, trials
 
 MODEL = "3dm-cv7-gnss-ins"
 
@@ -320,23 +338,19 @@ def test_another_model(at: At, tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- streams
 
 
-def streaming(at: At) -> None:
-    link = at.device.connect()
-    for command in (mip_3dm.MessageFormat.write(0x80, [types.DescriptorRate(0x04, 1)]), base.Resume()):
-        link.write(bytes(command.packet()))
-    at.device.advance(0.1)
-    at.device.disconnect(link)
+def at_work(at: At) -> None:
+    at.device.disconnect(streaming(at.device, {0x80: ((0x04, 1),)}))
     at.commands.clear()
 
 
 def test_a_device_that_streams_is_idle_meanwhile(at: At) -> None:
-    streaming(at)
+    at_work(at)
     assert mip("config", "pull", "PORT")[0] == 0
     assert "base.set_idle" in at.commands[:2] and at.commands[-1] == "base.resume" and not at.device.idle
 
 
 def test_a_device_that_is_idle_stays_so(at: At) -> None:
-    streaming(at)
+    at_work(at)
     at.device.idle = True
     at.device.arrange()
     assert mip("config", "pull", "PORT")[0] == 0
@@ -344,7 +358,7 @@ def test_a_device_that_is_idle_stays_so(at: At) -> None:
 
 
 def test_an_interrupt_resumes_the_streams(at: At, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    streaming(at)
+    at_work(at)
     path = edited(tmp_path, ("setting: 3", "setting: 2"))
     usual = Talk.request
 
@@ -452,19 +466,94 @@ def test_settings_are_saved_one_by_one_if_there_is_no_other_way(at: At, tmp_path
     assert at.written(mip_3dm.SensorRange.read(mip_3dm.SensorRangeType.ACCEL)).setting == 2
 
 
-# --------------------------------------------------------------------------- the command line
+# --------------------------------------------------------------------------- whatever settings a device has
+
+#: Settings that no file has: actions, values that all select an instance, and what ends the conversation.
+LEFT_OUT = {"filter.tare_orientation", "3dm.data_stream_format"}
+ENDS = {"system.comm_mode", "system.interface_control"}
+
+
+def settable(device: m.Device) -> list[m.Support]:
+    """The commands that can be written, read and saved; a demodulator has none."""
+
+    def letters(functions: Iterable[m.Function]) -> set[str]:
+        return {f.letter for f in functions}
+
+    return [
+        support
+        for support in commands(device)
+        if {"W", "R"} <= letters(support.functions)
+        and "S" in letters(support.field.functions)
+        and support.field.full_name not in LEFT_OUT | ENDS
+    ]
+
+
+def written_to(device: m.Device, virtual: VirtualDevice, only: int) -> set[str]:
+    """Writes values of every command that can be written, read and saved; of each, every `only`-th good one."""
+    link = virtual.connect()
+    virtual.idle = True
+    names = set()
+    for support in settable(device):
+        f = support.field
+        every = next((dict(b.all) for b in model("real").simulation.behaviors if b.command is f), {})
+        written = [t for t in trials(support, device) if t.good and t.function and t.function.letter == "W"]
+        good = [t for t in written if not any(t.values[name] == number for name, number in every.items())]
+        for trial in good[only::3]:
+            data = codec.encode(f, trial.values)
+            link.write(codec.build(model("real"), support.set, [(f.descriptor, data)]))
+            virtual.advance(0.02)
+            names.add(f.full_name)
+    virtual.disconnect(link)
+    virtual.idle = False
+    return names
+
+
+def file_of(virtual: VirtualDevice) -> str:
+    with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
+        it = Talk(link, "PORT", pytest.fail)
+        return file_text(it.pull(), it.profile, it.model.id, it.listing.firmware, "2026-01-31")
+
+
+def carried_to(virtual: VirtualDevice, path: Path) -> Pushed:
+    with Device(LivePort(virtual, speed=20), timeout=PATIENCE) as link:
+        it = Talk(link, "PORT", pytest.fail)
+        return it.push(parsed.parsed_settings(path, it.profile).commands)
+
+
+#: Settings that a device has in a form of its own: a rotation that was written as a matrix is read as a quaternion.
+ROUNDED = ("transform", "rotation")
+
+
+def kept(virtual: VirtualDevice) -> dict[Any, Any]:
+    return {place: value for place, value in virtual.settings.items() if place[0] not in LEFT_OUT}
+
+
+#: The devices that `make test` samples: of each generation, with few settings and with many.
+SAMPLE = ("3dm-cv7-gnss-ins", "3dm-gx5-45", "3dm-gq7", "3dm-gx3-35", "3dm-mv5-ar")
+#: A device, and which third of the values it has; one of the sample has all.
+CASES = [*((SAMPLE[0], only) for only in range(3)), *((device_id, i % 3) for i, device_id in enumerate(SAMPLE[1:]))]
+ALL = [(device_id, only) for device_id in sorted(devices.DEVICES) for only in range(3)]
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (("pull",), "the following arguments are required: PORT|FILE"),
-        (("push", "PORT"), "`mip config push` needs PORT and FILE"),
-        (("pull", "PORT", "more"), "`mip config pull` needs PORT"),
-        (("save", "PORT", "-o", "x"), "-o is only for `mip config pull`"),
-        (("pul", "PORT"), "invalid choice: 'pul'"),
-    ],
+    ("device_id", "only"), [*CASES, *(pytest.param(*x, marks=heavy("all models")) for x in ALL if x not in CASES)]
 )
-def test_command_lines(at: At, arguments: tuple[str, ...], said: str) -> None:
-    code, _, error = mip("config", *arguments)
-    assert code == 2 and said in error
+def test_all_settings_of_a_device(tmp_path: Path, device_id: str, only: int) -> None:
+    found = model("real").device(device_id)
+    assert found is not None
+    first, second = VirtualDevice(device_id), VirtualDevice(device_id)
+    names = written_to(found, first, only)
+    assert names or only or not settable(found)
+    path = tmp_path / "settings.yaml"
+    path.write_text(file_of(first))
+    done = carried_to(second, path)
+    assert not done.refused and not done.read_differently
+    assert file_of(second) == path.read_text()
+    for place, value in kept(first).items():
+        if not any(word in place[0] for word in ROUNDED):
+            assert second.settings.current(value) == value, place
+
+
+def test_what_acts_only_once_is_no_setting() -> None:
+    virtual = VirtualDevice("3dm-gx5-25")
+    assert virtual.knows("filter.tare_orientation") and "tare_orientation" not in file_of(virtual)

@@ -15,13 +15,12 @@ from contextlib import suppress
 from functools import cache, partial
 from pathlib import Path
 from threading import Thread
-from typing import Any
 
 import mip_tools
 import numpy as np
 import pytest
 import timed_packets
-from mip_protocol import PacketBuilder, Parser, base, filter_data, mip_3dm, sensor, shared, types
+from mip_protocol import PacketBuilder, Parser, filter_data, sensor, shared
 from mip_simulator import VirtualDevice
 from mip_simulator.motion import parse_motion
 from mip_tools.columns import read_log
@@ -31,9 +30,9 @@ from mip_tools.doctor.examined import Examined
 from mip_tools.doctor.port import Patient, why_not_open
 from mip_tools.doctor.values import _Channel
 from mip_tools.logs import report
-from program import DEVICE, mip, simulated
+from program import DEVICE, Rates, mip, reply, sent, simulated, streaming
 
-Rates = dict[int, tuple[tuple[int, int], ...]]
+#: What the logs of these tests have.
 RATES: Rates = {
     0x80: ((0xD3, 10), (0xD5, 10), (0x04, 10), (0x05, 10), (0x06, 20)),
     0x82: ((0xD3, 50), (0xD5, 50), (0x05, 50), (0x10, 50)),
@@ -41,32 +40,10 @@ RATES: Rates = {
 }
 
 
-def started(device: Any, rates: Rates = RATES) -> Any:
-    """A link with a device that sends these fields."""
-    link = device.connect()
-    commands: list[Any] = [base.SetIdle()]
-    for number, fields in rates.items():
-        formats = tuple(types.DescriptorRate(*field) for field in fields)
-        commands += [mip_3dm.MessageFormat.write(number, formats), mip_3dm.DataStreamControl.write(number, True)]
-    for c in [*commands, base.Resume()]:
-        link.write(bytes(c.packet()))
-        device.advance(0.05)
-    link.read()
-    return link
-
-
-def sent(device: Any, link: Any, seconds: float) -> bytes:
-    data = b""
-    for _ in range(round(seconds * 10)):
-        device.advance(0.1)
-        data += link.read()
-    return data
-
-
 @cache
 def clean(seconds: float = 8.0) -> bytes:
     device = VirtualDevice(DEVICE)
-    return sent(device, started(device), seconds)
+    return sent(device, streaming(device, RATES), seconds)
 
 
 def packets() -> list[bytes]:
@@ -120,14 +97,14 @@ def damaged() -> bytes:
 
 def reset() -> bytes:
     device = VirtualDevice(DEVICE, seed=1)  # else it would send the same data again
-    return clean() + sent(device, started(device), 6)
+    return clean() + sent(device, streaming(device, RATES), 6)
 
 
 def another_format() -> bytes:
     device = VirtualDevice(DEVICE)
-    first = sent(device, started(device), 6)
+    first = sent(device, streaming(device, RATES), 6)
     slower = {0x80: ((0xD3, 20), (0xD5, 20), (0x04, 20), (0x05, 20))}
-    return first + sent(device, started(device, slower), 6)
+    return first + sent(device, streaming(device, slower), 6)
 
 
 PLANTED: dict[str, tuple[Callable[[], bytes], list[tuple[str, set[int]]]]] = {
@@ -144,10 +121,7 @@ PLANTED: dict[str, tuple[Callable[[], bytes], list[tuple[str, set[int]]]]] = {
     "an end within the first bytes": (lambda: clean() + packets()[0][:3], [("cut off", set())]),
     "a begin within a packet": (lambda: clean()[7:], []),
     "damage": (damaged, [("line damage", {0x80}), ("line damage", {0x80})]),
-    "single packets": (
-        lambda: without([of_sensor()[i] for i in (100, 200, 201, 305)]),
-        [("overload", {0x80})] * 3,
-    ),
+    "single packets": (lambda: without([of_sensor()[i] for i in (100, 200, 201, 305)]), [("overload", {0x80})] * 3),
     "one set for a long time": (lambda: without(of_sensor()[100:250]), [("overload", {0x80})]),
     "all sets": (lambda: without(range(300, 500)), [("pause", {0x80, 0x82, 0x91})]),
     "reset": (reset, [("reset", {0x80, 0x82, 0x91})]),
@@ -174,11 +148,8 @@ def test_a_planted_cause_is_named_and_nothing_else(name: str, monkeypatch: pytes
         assert found.rates == {(x.set, x.descriptor): x.rate for x in log.types() if x.rate}
     monkeypatch.setattr(stream, "PART", 7000)
     parts = examined(make())
-    assert (
-        parts.events == found.events
-        and parts.rates == found.rates
-        and findings.in_stream(parts) == findings.in_stream(found)
-    )
+    assert (parts.events, parts.rates) == (found.events, found.rates)
+    assert findings.in_stream(parts) == findings.in_stream(found)
 
 
 def test_where_and_how_long() -> None:
@@ -202,7 +173,7 @@ def test_several_causes_in_one_log() -> None:
     data = bytearray(without([of_sensor()[100]]))
     data[40_000] ^= 1
     device = VirtualDevice(DEVICE, seed=1)
-    found = examined(bytes(data) + sent(device, started(device), 3))
+    found = examined(bytes(data) + sent(device, streaming(device, RATES), 3))
     assert [e.cause for e in found.events] == ["overload", "line damage", "reset"]
 
 
@@ -234,7 +205,7 @@ def test_events_that_meet_are_merged() -> None:
 
 def test_without_a_time() -> None:
     device = VirtualDevice(DEVICE)
-    found = examined(sent(device, started(device, {0x80: ((0x04, 10),)}), 2))
+    found = examined(sent(device, streaming(device, {0x80: ((0x04, 10),)}), 2))
     assert [f.cause for f in findings.in_stream(found)] == ["no timestamps"] and found.events == []
 
 
@@ -348,13 +319,6 @@ DAMAGE: dict[str, tuple[Callable[[], bytes], str]] = {
 }
 
 
-def _identity(device: str) -> bytes:
-    link = (virtual := VirtualDevice(device)).connect()
-    link.write(bytes(base.GetDeviceInfo().packet()))
-    virtual.advance(0.05)
-    return bytes(link.read())
-
-
 @pytest.mark.parametrize("name", DAMAGE)
 def test_damage_is_named_by_its_cause(name: str) -> None:
     """And by nothing else, but for what follows from it."""
@@ -389,7 +353,7 @@ def test_spikes_are_found_wherever_a_log_is_divided() -> None:
 def test_nothing_is_wrong_with_healthy_logs(device: str, motion: str) -> None:
     virtual = VirtualDevice(device, motion=parse_motion(motion), sync=True)
     rates: Rates = {0x80: RATES[0x80], 0x82: ((0xD3, 10), (0x05, 10), (0x10, 10))}
-    assert [f.cause for f in findings.in_stream(examined(sent(virtual, started(virtual, rates), 4), device))] == []
+    assert [f.cause for f in findings.in_stream(examined(sent(virtual, streaming(virtual, rates), 4), device))] == []
 
 
 # --------------------------------------------------------------------------- the filter and the time
@@ -418,7 +382,7 @@ def test_flags_that_depend_on_the_device() -> None:
         return {found.cause for found in findings.in_stream(examined(data, device=None))}
 
     assert causes(with_status(8)) == {"heading_warning"}
-    assert causes(with_status(8) + _identity("3dm-gx5-25") + _identity("3dm-cv7-ahrs")) == {"several devices"}
+    assert causes(with_status(8) + reply("3dm-gx5-25") + reply("3dm-cv7-ahrs")) == {"several devices"}
     status = bytes(filter_data.Status(2, 1, 9).packet())
     times = [bytes(sensor.GpsTimestamp(100 + i / 100, 2300, 7).packet()) for i in range(40)]
     assert causes(40 * status) == {"unknown device", "no timestamps"}

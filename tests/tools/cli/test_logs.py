@@ -1,4 +1,4 @@
-"""`mip info`, `cut` and `export`: what is in a log, parts of it, tables."""
+"""`mip info`, `cut`, `export` and `plot`: what is in a log, parts of it, tables, pictures."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from program import (
 )
 from support import heavy, later, rounds
 
-pq = later("pyarrow.parquet")
+np, pq, pyplot = later("numpy"), later("pyarrow.parquet"), later("matplotlib.pyplot")
 
 NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
 
@@ -56,15 +56,11 @@ def packets(data: bytes) -> list[Packet]:
     return [*parser.feed(data), *parser.flush()]
 
 
-def stamped(seconds: float, week: int = 2296, flags: int = 3, *more: tuple[int, bytes]) -> bytes:
+def stamped(seconds: float, week: int = 2296, flags: int = 3) -> bytes:
     """A packet of sensor data with a time."""
-    builder = PacketBuilder(0x80).add(
-        0xD3, shared.GpsTimestamp(seconds, week, shared.GpsTimestampFlags(flags)).encode()
-    )
-    builder.add(0x04, sensor.ScaledAccel((seconds, 0.1, -1.0)).encode())
-    for descriptor, data in more:
-        builder.add(descriptor, data)
-    return bytes(builder.build())
+    stamp = shared.GpsTimestamp(seconds, week, shared.GpsTimestampFlags(flags))
+    builder = PacketBuilder(0x80).add(0xD3, stamp.encode())
+    return bytes(builder.add(0x04, sensor.ScaledAccel((seconds, 0.1, -1.0)).encode()).build())
 
 
 # --------------------------------------------------------------------------- info
@@ -128,13 +124,8 @@ code = main(["info", "-"])
 (most,) = re.findall(r"VmHWM:\\s+(\\d+) kB", open("/proc/self/status").read())
 sys.exit(code or (int(most) > 80_000 and f"{most} kB"))
 """
-    with subprocess.Popen(
-        [sys.executable, "-c", code],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        env=ENVIRONMENT,
-    ) as process:
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen([sys.executable, "-c", code], env=ENVIRONMENT, **pipes) as process:
         assert process.stdin is not None and process.stdout is not None and process.stderr is not None
         for _ in range(100):
             process.stdin.write(block)
@@ -173,18 +164,11 @@ def test_by_time(path: Path, tmp_path: Path) -> None:
         ("--only gnss_2", 1, "the part has no packets; log.bin has only other fields there; `mip info` lists them\n"),
     ],
 )
-def test_a_part_is_not_empty(
-    words: str,
-    code: int,
-    error: str,
-    path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_part_is_not_empty(words: str, code: int, error: str, path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """An older file of this name is kept."""
     monkeypatch.chdir(path.parent)
     Path("part").write_bytes(b"older")
-    found = run(capsys, "cut", "log.bin", "-o", "part", *words.split())
+    found = mip("cut", "log.bin", "-o", "part", *words.split())
     assert found[:2] == (code, "") and found[2].endswith(error) and "mip cut: " in found[2]
     assert Path("part").read_bytes() == b"older"
 
@@ -207,13 +191,11 @@ def table(out: str) -> list[dict[str, str]]:
 def test_times_of_a_set_without_its_own(tmp_path: Path) -> None:
     bare = bytes(PacketBuilder(0x80).add(0x04, sensor.ScaledAccel((1.0, 2.0, 3.0)).encode()).build())
     (tmp_path / "log").write_bytes(bare + stamped(5.5) + bare + stamped(6.5, flags=1) + bare)
-    for how, first in (
-        ("utc", "2024-01-06T23:59:47.500000000Z"),
-        ("unix", "1704585587.5"),
-        ("start", "0.0"),
-    ):
+    for how, name, first in (
+        ("utc", "time", "2024-01-06T23:59:47.500000000Z"), ("unix", "time [s]", "1704585587.5"),
+        ("start", "time_device [s]", "0.0"),
+    ):  # fmt: skip
         rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", how, "-o", "-")[1])
-        name = {"utc": "time", "unix": "time [s]", "start": "time_device [s]"}[how]
         times = [(r[name], r["time_own"]) for r in rows]
         later = "1.0" if how == "start" else ""
         assert times == [("", "false"), (first, "true"), (first, "false"), (later, "true"), (later, "false")]
@@ -347,19 +329,14 @@ def test_no_log_is_replaced_under_other_conditions(path: Path, capsys: pytest.Ca
     with path.open("rb") as file:
         done = subprocess.run(command("cut", "-", "-o", path), stdin=file, capture_output=True, env=ENVIRONMENT)
     assert done.returncode == 2 and b"is the log itself" in done.stderr
+    with path.open("ab") as file:
+        done = subprocess.run(command("cut", path, "-o", "-"), stdout=file, stderr=subprocess.PIPE, env=ENVIRONMENT)
+    assert done.returncode == 2 and b"standard output is the log itself" in done.stderr
     words = ("simulate", "3dm-gx5-15", "--duration", 1, "--motion", f"replay:file={path}", "--fault-log", path)
     code, _, error = run(capsys, *words)
     assert code == 2 and "is the log itself" in error
     assert path.read_bytes() == before
     assert run(capsys, "export", path, "-o", "/dev/null", "--format", "csv")[0] == 0
-
-
-def test_standard_output_may_be_the_log(path: Path) -> None:
-    before = path.read_bytes()
-    with path.open("ab") as file:
-        done = subprocess.run(command("cut", path, "-o", "-"), stdout=file, stderr=subprocess.PIPE, env=ENVIRONMENT)
-    assert done.returncode == 2 and b"standard output is the log itself" in done.stderr
-    assert path.read_bytes() == before
 
 
 def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None:
@@ -477,3 +454,40 @@ def test_an_output_that_accepts_nothing(path: Path, capsys: pytest.CaptureFixtur
         assert (done.returncode, done.stderr.decode()) == (1, error), words
     error = "mip cut: /dev/full cannot be written: No space left on device\n"
     assert run(capsys, "cut", path, "-o", "/dev/full") == (1, "", error)
+
+
+# --------------------------------------------------------------------------- extras and plots
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "parquet"])
+def test_no_export_imports_pandas(form: str, path: Path) -> None:
+    """`pyarrow.array` does so where pandas is installed, which takes longer than most exports."""
+    program = "import sys; from mip_tools.__main__ import main; main(sys.argv[1:]); sys.exit('pandas' in sys.modules)"
+    words = ["export", path, "-o", path.with_suffix(f".{form}"), "--names"]
+    assert subprocess.run([sys.executable, "-c", program, *words], env=ENVIRONMENT).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ("export {}/log.bin -o {}/t.parquet", "export: numpy is missing; pip install numpy"),
+        ("plot {}/log.bin sensor -o {}/t.png", "plot: matplotlib is missing; pip install matplotlib"),
+    ],
+)
+def test_missing_extras(words: str, error: str, path: Path) -> None:
+    code, out, said = mip(*words.replace("{}", str(path.parent)).split(), extras=False)
+    assert (code, out) == (1, "") and said.startswith(f"mip {error}") and said.count("\n") == 1
+    assert [p.name for p in path.parent.iterdir()] == ["log.bin"]
+
+
+def test_a_picture(path: Path, tmp_path: Path) -> None:
+    words = ("sensor.scaled_accel", "filter_data.llh_position.ellipsoid_height")
+    assert mip("plot", path, *words, "-o", tmp_path / "t.png") == (0, "", "")
+    red, green, blue, _ = np.moveaxis(pyplot.imread(tmp_path / "t.png"), 2, 0)
+    assert red.shape[1] == 1200
+    # The first three colours of matplotlib, perhaps blended with white; blue is also the second diagram.
+    for more, less in ((blue, red), (red, blue), (green, np.maximum(red, blue))):
+        assert (more - less > 0.24).any()
+    assert mip("plot", path, "sensor.scaled_accel.z", "--together", "-o", tmp_path / "t.svg")[0] == 0
+    text = (tmp_path / "t.svg").read_text()
+    assert text.startswith("<?xml") and text.count("#2ca02c") == 0

@@ -8,7 +8,6 @@ import os
 import pty
 import re
 import select
-import shlex
 import signal
 import socket
 import struct
@@ -23,6 +22,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+import support
 from mip_protocol import Parser, base, mip_3dm, registry, types
 from mip_protocol.field import Command, Structure
 from mip_protocol.parameter import Parameter
@@ -64,15 +64,12 @@ def test_an_answer(place: str) -> None:
 
 def test_a_new_baud_rate_is_followed(tmp_path: Path) -> None:
     port = tmp_path / "port"
-    with running("simulate", DEVICE, "--pty", port, "--strict-baud") as process:
-        assert process.stdout is not None and process.stdout.readline()
+    with support.simulated("--pty", str(port), "--strict-baud", device=DEVICE):
         words = ("send", port, "base.comm_speed", "write", "1")
         assert mip(*words, "460800") == (0, "acknowledged; use --baud 460800 from now on\n", "")
         assert mip("send", port, "base.ping", "--baud", "460800") == (0, "acknowledged\n", "")
-        found = mip(*words, "115200", "--baud", "460800", "--json")
-        assert (
-            json.loads(found[1])["baud"] == 115200 and json.loads(mip(*words, "460800", "--json")[1])["baud"] == 460800
-        )
+        for rate, now in (("115200", "460800"), ("460800", "115200")):
+            assert json.loads(mip(*words, rate, "--baud", now, "--json")[1])["baud"] == int(rate)
         code, _, error = mip(*words[:-1], "9", "115200", "--baud", "460800")
         assert code == 3 and error == "mip send: base.comm_speed rejected (invalid parameter)\n"
 
@@ -91,10 +88,8 @@ def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
     with socket.create_server(("127.0.0.1", 0)) as silent:
         where = f"127.0.0.1:{silent.getsockname()[1]}"
         code, out, error = mip("send", where, "base.ping", "--timeout", "0.1")
-    assert (code, out) == (
-        4,
-        "",
-    ) and error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
+    assert (code, out) == (4, "")
+    assert error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
     code, _, error = mip("send", where, "base.ping")
     assert code == 1 and error == f"mip send: {where} cannot be opened: Connection refused\n"
 
@@ -109,21 +104,13 @@ def test_ports_and_their_devices(place: str, monkeypatch: pytest.MonkeyPatch) ->
     def port(name: str, vendor: int | None, serial: str | None = None, location: str = "") -> SimpleNamespace:
         return SimpleNamespace(device=name, vid=vendor, serial_number=serial, location=location, description="a port")
 
-    known = [
-        port("b", 0x199B, "1", "1-1:1.2"),
-        port("c", 0x1234, "1"),
-        port("a", 0x199B, "1", "1-1:1.0"),
-        port("d", None),
-    ]
+    main, second = port("a", 0x199B, "1", "1-1:1.0"), port("b", 0x199B, "1", "1-1:1.2")
+    known = [second, port("c", 0x1234, "1"), main, port("d", None)]
     monkeypatch.setattr(list_ports, "comports", lambda: known)
     rows = [line.split("  ")[0] + line.rsplit("  ", 1)[1] for line in mip("ports")[1].splitlines()[1:]]
     assert sorted(rows) == ["aNo such file or directory", "bNo such file or directory", "cnot asked", "dnot asked"]
-    assert [(one.name, one.role) for one in ports._system()] == [
-        ("d", ""),
-        ("c", ""),
-        ("a", "main"),
-        ("b", "auxiliary"),
-    ]
+    roles = [(one.name, one.role) for one in ports._system()]
+    assert roles == [("d", ""), ("c", ""), ("a", "main"), ("b", "auxiliary")]
     monkeypatch.setattr(list_ports, "comports", list)
     assert mip("ports")[:2] == (1, "")
 
@@ -157,10 +144,7 @@ def test_a_serial_port_needs_an_extra() -> None:
         ),
         (["3dm.message_format", "READ", "descriptor_set=128"], mip_3dm.MessageFormat.read(0x80)),
         (["3dm.data_stream_control", "write", "128", "off"], mip_3dm.DataStreamControl.write(0x80, False)),
-        (
-            ["3dm.pps_source_control", "write", "receiver_1"],
-            mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(1)),
-        ),
+        (["3dm.pps_source_control", "write", "receiver_1"], mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(1))),
         (["3dm.pps_source_control", "write", "0xF0"], mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(0xF0))),
     ],
 )
@@ -205,41 +189,6 @@ def _value(p: Parameter) -> Any:
     if p.kind == "text" or p.length is None:
         return one
     return [one] * (p.length if isinstance(p.length, int) else 1)
-
-
-@pytest.mark.parametrize(
-    ("words", "error"),
-    [
-        ("base.pink", "'base.pink' is not a field; did you mean base.ping"),
-        ("sensor.scaled_accel", "sensor.scaled_accel is not a command; `mip fields --search "),
-        ("3dm.message_format", "3dm.message_format needs a function: write, read, save, load, default"),
-        ("3dm.message_format wirte", "3dm.message_format needs a function, not 'wirte': write, "),
-        ("3dm.message_format read", "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` lists "),
-        ("3dm.message_format read 1 2", "'2' is one value too many; 3dm.message_format has descriptor_set"),
-        ("3dm.message_format read set=1", "3dm.message_format has no parameter 'set' here; it has descriptor_set"),
-        ("3dm.message_format read descriptor_set=1 descriptor_set=2", "descriptor_set is given twice"),
-        ("3dm.message_format read fast", "descriptor_set: 'fast' is not a whole number"),
-        ("3dm.message_format write sensor scaled_acel:7", "descriptor: 'scaled_acel' is not a field of sensor; did "),
-        ("3dm.message_format write sensor dop:7", "descriptor: 'dop' is not a field of sensor; `mip fields sensor` "),
-        ("3dm.message_format read sensr", "descriptor_set: 'sensr' is neither a number nor a field; did you mean "),
-        ("3dm.message_format read 256", "3dm.message_format cannot be sent: descriptor_set"),
-        ("3dm.message_format write 1 4:99999", "descriptors cannot be sent: decimation is 99999, needs 0 to 65535"),
-        (
-            '3dm.message_format write 1 \'[{"descriptor": 4, "decimation": -1}]\'',
-            "descriptors cannot be sent: decimation",
-        ),
-        ("3dm.message_format write 1 4:5:6", "descriptors: '4:5:6' has too many parts; write descriptor:decimation"),
-        ("3dm.message_format write 1 4", "descriptors has parts that are missing; write descriptor:decimation"),
-        ("3dm.message_format write 1 '[{'", "descriptors: '[{' is not JSON: "),
-        ("3dm.message_format write 1 '[{\"x\": 1}]'", "descriptors has no 'x'; it has descriptor, decimation"),
-        ("3dm.message_format write 1 '[null]'", "descriptors cannot have the value null"),
-        ("3dm.data_stream_control write 1 maybe", "enable: 'maybe' is neither true nor false"),
-        ("3dm.pps_source_control write moon", "source: 'moon' is not one of disabled, "),
-    ],
-)
-def test_errors_of_commands(words: str, error: str, capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, said = run(capsys, "send", "--hex", *shlex.split(words))
-    assert (code, out) == (2, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
 
 
 # --------------------------------------------------------------------------- record
@@ -378,11 +327,11 @@ def test_values_on_a_terminal(place: str) -> None:
 
 def test_a_device_on_a_terminal(tmp_path: Path) -> None:
     """The same at a serial port, as far as a pseudo-terminal is one."""
-    with running("simulate", DEVICE, "--pty", tmp_path / "mip") as process:
-        assert process.stdout is not None and process.stdout.readline()
-        code, out, error = mip("send", tmp_path / "mip", "base.get_device_info", "--baud", "460800")
+    port = str(tmp_path / "mip")
+    with support.simulated("--pty", port, device=DEVICE):
+        code, out, error = mip("send", port, "base.get_device_info", "--baud", "460800")
         assert (code, error) == (0, "") and "3DM-CV7" in out
-        code, out, error = mip("send", tmp_path / "mip", "base.ping", "--baud", "auto")
+        code, out, error = mip("send", port, "base.ping", "--baud", "auto")
         assert (code, out) == (0, "acknowledged\n"), error
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Device, _sets, base, devices, mip_3dm, types
+from mip_protocol import Device, _sets, base, devices
 from mip_protocol import profile as profiles
 from mip_simulator import LivePort, VirtualDevice
 from mip_simulator.faults import Faults
@@ -24,7 +24,7 @@ from mip_tools.errors import Failure
 from mip_tools.ports import device_file, listing
 from mipgen import model as m
 from mipgen.resolve.load import load_model
-from program import ENVIRONMENT, mip, running
+from program import ENVIRONMENT, mip, simulated, streaming
 from support import ROOT, SPECS, heavy
 
 SPEC = SPECS["real"][0]
@@ -217,20 +217,10 @@ def test_a_device_of_another_file_is_extended(tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- the device
 
 
-def streaming(profile: profiles.Device | str = "3dm-cv7-gnss-ins") -> VirtualDevice:
-    device = VirtualDevice(profile)
-    link = device.connect()
-    rates = (types.DescriptorRate(4, 10),)
-    link.write(bytes(mip_3dm.MessageFormat.write(0x80, rates).packet()))
-    link.write(bytes(mip_3dm.DataStreamControl.write(0x80, True).packet()))
-    device.advance(0.1)
-    device.disconnect(link)
-    return device
-
-
 def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """After all questions, after an interrupt, and after an error."""
-    device = streaming()
+    device = VirtualDevice("3dm-cv7-gnss-ins")
+    device.disconnect(streaming(device, {0x80: ((0x04, 10),)}))
     idle = []
     asked = listing._Questions.listing
 
@@ -272,9 +262,8 @@ def test_an_answer_that_is_missing_is_reported() -> None:
 
 @pytest.fixture(scope="module")
 def place() -> Iterable[str]:
-    with running("simulate", "3dm-gq7", "--tcp", "0", "--seed", "54321") as process:
-        assert process.stdout is not None
-        yield process.stdout.readline().decode().strip()
+    with simulated("--seed", "54321", device="3dm-gq7") as found:
+        yield found
 
 
 def test_command_line(place: str, tmp_path: Path) -> None:

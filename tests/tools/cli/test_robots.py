@@ -22,9 +22,8 @@ from mip_tools.formats.json_messages import message_values, schema
 from mip_tools.names.occurrence import occurrence_in
 from mip_tools.ros import axes, standard
 from mip_tools.ros.types import Types
-from program import DEVICE, log, mip
+from program import DEVICE, log, mip, sent, streaming
 from support import heavy, later
-from test_doctor import sent, started
 from test_log_tables import drawn
 from timed_packets import packet
 
@@ -122,7 +121,7 @@ def test_a_bag(tmp_path: Path) -> None:
     from rosbags.typesys import Stores, get_typestore
 
     device = VirtualDevice(DEVICE)
-    (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 4))
+    (tmp_path / "log").write_bytes(sent(device, streaming(device, NAVIGATION), 4))
     words = ("export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "drive")
     assert mip(*words) == (0, "", "")
     store = get_typestore(Stores.ROS2_HUMBLE)
@@ -213,7 +212,7 @@ def test_a_bag_is_the_same_however_the_log_is_divided(
     whole: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     device = VirtualDevice(DEVICE)
-    (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 2) if whole else drawn(1, 400))
+    (tmp_path / "log").write_bytes(sent(device, streaming(device, NAVIGATION), 2) if whole else drawn(1, 400))
     bags = []
     for part in (messages.PART, 3000):
         monkeypatch.setattr(messages, "PART", part)
@@ -246,9 +245,8 @@ def test_a_time_that_messages_cannot_have(week: int, tmp_path: Path) -> None:
 
 
 def test_attitudes_of_rep_103() -> None:
-    half = math.sqrt(0.5)
-    assert axes.attitude((1, 0, 0, 0)) == pytest.approx((half, 0, 0, half))  # north is at +90 degrees
-    assert axes.attitude((half, 0, 0, half)) == pytest.approx((1, 0, 0, 0))  # east is at 0
+    assert axes.attitude((1, 0, 0, 0)) == pytest.approx((HALF, 0, 0, HALF))  # north is at +90 degrees
+    assert axes.attitude((HALF, 0, 0, HALF)) == pytest.approx((1, 0, 0, 0))  # east is at 0
     generator = random.Random(1)
     for _ in range(100):
         numbers = [generator.gauss(0, 1) for _ in range(4)]
@@ -263,13 +261,12 @@ def test_attitudes_of_rep_103() -> None:
 
 def test_odometry_while_it_moves() -> None:
     """Heading east: positions, velocities in the body, and covariances turned with it."""
-    half = math.sqrt(0.5)
     converter = standard.Converter()
 
     def at(longitude: float, *others: Any) -> dict[str, list[Any]]:
         values = (
             filter_data.LlhPosition(47.0, longitude, 500.0, 1),
-            filter_data.AttitudeQuaternion((half, 0, 0, half), 1),  # heads east
+            filter_data.AttitudeQuaternion((HALF, 0, 0, HALF), 1),  # heads east
             filter_data.NedVelocity(0.0, 5.0, 1.0, 1),
             *others,
         )

@@ -12,13 +12,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from mip_protocol import base, mip_3dm, types
 from mip_simulator import VirtualDevice
 from mip_simulator.motion import Trajectory
 from mip_simulator.surroundings.noise import Noise
 from mip_tools.analysis import allan, ellipsoid
 from mip_tools.devices.facts import NOISE
-from program import mip, running
+from program import mip, sent, simulated, streaming
 
 IRON = (0.08, -0.05, 0.11)
 SCENARIO = f"events:\n  - {{at: 0, event: magnetic_disturbance, field: [{', '.join(map(str, IRON))}]}}\n"
@@ -35,15 +34,9 @@ def tumbling(folder: Path) -> Path:
 
 def recorded(path: Path, descriptors: tuple[int, ...], seconds: int, decimation: int = 10, **world: Any) -> Path:
     device = VirtualDevice("3dm-cv7-ahrs", **world)
-    link = device.connect()
     device.advance(1)
-    rates = tuple(types.DescriptorRate(one, decimation) for one in (0xD5, *descriptors))
-    for command in (mip_3dm.MessageFormat.write(0x80, rates), mip_3dm.DataStreamControl.write(0x80, True)):
-        link.write(bytes(command.packet()))
-    link.write(bytes(base.Resume().packet()))
-    link.read()
-    device.advance(seconds)
-    path.write_bytes(link.read())
+    link = streaming(device, {0x80: tuple((one, decimation) for one in (0xD5, *descriptors))})
+    path.write_bytes(sent(device, link, seconds))
     return path
 
 
@@ -94,10 +87,8 @@ def test_iron_of_a_log(tmp_path: Path) -> None:
 def test_a_device_is_calibrated(tmp_path: Path) -> None:
     """Also if it is mounted in another direction, and has been calibrated before."""
     (tmp_path / "scenario.yaml").write_text(SCENARIO, "utf-8")
-    words = ("--motion", f"trajectory:file={tumbling(tmp_path)},loop=yes", "--scenario", tmp_path / "scenario.yaml")
-    with running("simulate", "3dm-cv7-ahrs", "--tcp", "0", "--speed", "40", *words) as process:
-        assert process.stdout is not None
-        place = process.stdout.readline().decode().strip()
+    words = ("--motion", f"trajectory:file={tumbling(tmp_path)},loop=yes", "--scenario", f"{tmp_path}/scenario.yaml")
+    with simulated("--speed", "40", *words, device="3dm-cv7-ahrs") as place:
         for setting in (
             "sensor_to_vehicle_transform_euler write 0.5 0.2 1",
             "mag_hard_iron_offset write 0.02,0.03,-0.01",

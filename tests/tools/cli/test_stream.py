@@ -18,7 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from mip_protocol import PacketBuilder
 from mip_tools.errors import Failure
+from mip_tools.logs.scan import Piece, Scanner
+from mip_tools.monitor.latest import Latest
+from mip_tools.names.selection import Selection
 from mip_tools.ports import silence
 from program import ENVIRONMENT, PATIENCE, command, log, mip, running, simulated
 from support import heavy, later
@@ -69,9 +73,7 @@ def test_a_time_comes_along(place: str) -> None:
 
 def test_a_time_of_an_older_device() -> None:
     """It has no reference clock, and another field for the time of GPS."""
-    with running("simulate", "3dm-gx5-45", "--tcp", "0") as process:
-        assert process.stdout is not None
-        place = process.stdout.readline().decode().strip()
+    with simulated(device="3dm-gx5-45") as place:
         code, out, error = mip("stream", place, "sensor.scaled_accel@50", "--packets", "2")
     assert code == 0 and TOLD.fullmatch(error) and all(one["time_own"] for one in lines(out))
 
@@ -250,3 +252,18 @@ def test_noise_is_no_silence(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Cap
     watch.data(b"x")
     with pytest.raises(Failure, match=f"^PORT: {said} 10 s"):
         watch.check()
+
+
+@pytest.mark.parametrize(("timed", "rate"), [(True, "100 Hz"), (False, "50 Hz")])
+def test_the_rate_that_monitor_shows_is_that_of_the_device(timed: bool, rate: str) -> None:
+    """Packets may arrive in bursts; only without a time do arrivals count."""
+    latest = Latest(Selection(["sensor.scaled_accel"]), None)
+    packets = [p.packet for p in Scanner().feed(log(1.0)) if p.packet is not None and p.packet.set == 0x80]
+    for i, packet in enumerate(packets):
+        builder = PacketBuilder(packet.set)
+        for raw in packet:
+            if timed or raw.descriptor == 0x04:
+                builder.add(raw.descriptor, raw.data)
+        latest.add(Piece(0, b"", builder.build()), 0.1 * (i // 5) if timed else 0.02 * i)
+    (one,) = latest.shown(0.02 * len(packets))
+    assert (one.name, one.hertz, one.old) == ("scaled_accel", rate, "")

@@ -17,12 +17,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import base, sensor
-from mip_simulator import VirtualDevice
+from mip_protocol import sensor
 from mip_tools import read_log
 from mip_tools.columns.raw_times import raw
 from mip_tools.columns.stamps import NONE
-from program import mip, simulated
+from program import mip, reply, simulated
 from support import heavy, later
 from timed_packets import cases_of_devices, packet
 
@@ -82,6 +81,10 @@ def cases() -> dict[str, Case]:
     restarted = [5 + t if t < 0.3 else 0.7 + t - 0.3 for t in TIMES]
     unsynchronized = ("no date: not synchronized",)
     angles = (0x05, struct.pack(">3fH", 0, 0, 0, 0))
+    undated = {
+        "never synchronized": (0x12, 0, 0), "time of week without a week": (0xD3, 0, 1),
+        "week without a time of week": (0xD3, WEEK, 2), "week 0 with flags set": (0xD3, 0, 3),
+    }  # fmt: skip
     return {
         "three flags": Case(sensed([stamp(0x12, t, WEEK, 7)] for t in week), dates(), dated_only=True),
         "five flags": Case(sensed([stamp(0x12, t, WEEK, 0x1D)] for t in week), dates(), dated_only=True),
@@ -91,18 +94,15 @@ def cases() -> dict[str, Case]:
             week,
             doctor=("not synchronized",),
         ),
-        "never synchronized": Case(
-            sensed([stamp(0x12, t, 0, 0)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
-        ),
-        "time of week without a week": Case(
-            sensed([stamp(0xD3, t, 0, 1)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
-        ),
-        "week without a time of week": Case(
-            sensed([stamp(0xD3, t, WEEK, 2)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
-        ),
-        "week 0 with flags set": Case(
-            sensed([stamp(0xD3, t, 0, 3)] for t in on), device=on, info=unsynchronized, doctor=("not synchronized",)
-        ),
+        **{
+            name: Case(
+                sensed([stamp(number, t, week, flags)] for t in on),
+                device=on,
+                info=unsynchronized,
+                doctor=("not synchronized",),
+            )
+            for name, (number, week, flags) in undated.items()
+        },
         "no timestamps": Case(
             sensed([] for _ in TIMES), clock="", rate=None, info=("no date: no timestamps",), doctor=("no timestamps",)
         ),
@@ -393,13 +393,6 @@ def test_a_named_device_reads_flags_as_its_own(words: tuple[str, ...], tmp_path:
         assert code == 0 and ("2024-02-07T23:59:42" in out) == date
 
 
-def reply(device: str) -> bytes:
-    link = (virtual := VirtualDevice(device)).connect()
-    link.write(bytes(base.GetDeviceInfo().packet()))
-    virtual.advance(0.05)
-    return bytes(link.read())
-
-
 def written(tmp_path: Path, *packets: bytes) -> Path:
     (tmp_path / "log.bin").write_bytes(b"".join(packets))
     return tmp_path / "log.bin"
@@ -416,14 +409,19 @@ def test_a_cut_keeps_the_reply_of_the_device(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("more", [(), ("--tree",), ("--raw",), ("--count", "99")])
-def test_dump_reads_flags_by_the_device_in_the_log(more: tuple[str, ...], tmp_path: Path) -> None:
+def test_dump_reads_flags_by_the_device_in_each_log(more: tuple[str, ...], tmp_path: Path) -> None:
     """Flags 7 mark a date on a 3DM-GX5, but not on a 3DM-CV7."""
+    words = ("--only", "sensor.gps_timestamp", *more)
+    paths = []
     for device, valid in (("3dm-gx5-25", True), ("3dm-cv7-ahrs", False)):
-        path = written(tmp_path, reply(device), *CASES["three flags"].packets)
-        for where, data in ((path, b""), ("-", path.read_bytes())):
-            code, out, error = mip("dump", where, "--only", "sensor.gps_timestamp", *more, data=data)
-            assert code == 0 and ("invalid" not in out) == valid, (where, out)
-            assert "(from the log)" in error
+        paths.append(tmp_path / device)
+        paths[-1].write_bytes(b"".join([reply(device), *CASES["three flags"].packets]))
+        code, out, error = mip("dump", "-", *words, data=paths[-1].read_bytes())
+        assert code == 0 and ("invalid" not in out) == valid and "(from the log)" in error, out
+    code, out, error = mip("dump", *paths, *words)
+    assert code == 0 and "3DM-GX5-25 (from the log)" in error and "3DM-CV7-AHRS (from the log)" in error
+    if not {"--tree", "--count"} & {*more}:
+        assert ["(invalid)" in line for line in out.splitlines() if ": " in line] == [False] * 60 + [True] * 60
 
 
 _RECOGNIZED = "flags read as those of generations 4 and 5 (recognized)"
@@ -506,21 +504,6 @@ def test_several_devices_in_a_log_are_named(
     assert code == 0 and names in out + error, error
 
 
-def test_dump_knows_the_device_of_each_log(tmp_path: Path) -> None:
-    """Flags 7 mark a date on a 3DM-GX5, but not on a 3DM-CV7."""
-    paths = []
-    for device in ("3dm-gx5-25", "3dm-cv7-ahrs"):
-        paths.append(tmp_path / device)
-        paths[-1].write_bytes(b"".join([reply(device), *CASES["three flags"].packets]))
-    for more in ((), ("--raw",)):
-        code, out, error = mip("dump", *paths, "--only", "sensor.gps_timestamp", *more)
-        assert (
-            code == 0
-            and ["(invalid)" in line for line in out.splitlines() if ": " in line] == [False] * 60 + [True] * 60
-        )
-        assert "3DM-GX5-25 (from the log)" in error and "3DM-CV7-AHRS (from the log)" in error
-
-
 def test_a_device_that_appears_later_is_named_in_a_stream(tmp_path: Path) -> None:
     packets = CASES["three flags"].packets * 800  # longer than the part that is read before the first line
     code, _, error = mip("stream", written(tmp_path, reply("3dm-gx5-25"), *packets, reply("3dm-cv7-ahrs")))
@@ -536,10 +519,8 @@ def test_a_receiver_with_a_date_beside_a_clock_without(tmp_path: Path) -> None:
 
 
 def test_one_timestamp(tmp_path: Path) -> None:
-    assert (
-        "not synchronized; 1 of 1 timestamp without a date"
-        in mip("info", written(tmp_path, CASES["stuck"].packets[0]))[1]
-    )
+    out = mip("info", written(tmp_path, CASES["stuck"].packets[0]))[1]
+    assert "not synchronized; 1 of 1 timestamp without a date" in out
 
 
 def test_a_live_port_is_asked_for_its_device() -> None:
@@ -553,31 +534,21 @@ def test_a_live_port_is_asked_for_its_device() -> None:
             assert code == 0 and "device 3DM-GX5-25 (at the port)" in out + error, words
         told = "mip send: device 3DM-GX5-25 (at the port)\n"  # the bits of its reply are those of the model
         assert mip("send", port, "base.built_in_test") == (0, "result = 0 (0x0)\n", told)
-        reply = json.loads(mip("send", port, "base.built_in_test", "--json")[1])["response"]
-        assert (
-            reply
-            == {"result": []}
-            == json.loads(mip("send", port, "base.built_in_test", "--json", "--device", "3dm-gx5-25")[1])["response"]
-        )
+        for named in ((), ("--device", "3dm-gx5-25")):
+            found = json.loads(mip("send", port, "base.built_in_test", "--json", *named)[1])
+            assert found["response"] == {"result": []}
 
 
 def test_the_rate_of_a_field_is_one_in_all_tools(tmp_path: Path) -> None:
     """A field in each tenth packet of the second half, after a gap; two in each of these packets."""
     angles = (0x05, struct.pack(">3fH", 0, 0, 0, 1))
-    packets = [
-        packet(
-            0x82,
-            reference(i * STEP + (1 if i > 40 else 0)),
-            *[angles] * (2 * (i >= 30 and i % 10 == 0)),
-            (0x10, bytes(6)),
-        )
-        for i in range(80)
-    ]
+    twice = [[angles] * (2 * (i >= 30 and i % 10 == 0)) for i in range(80)]
+    stamps = [reference(i * STEP + (i > 40)) for i in range(80)]
+    packets = [packet(0x82, stamp, *more, (0x10, bytes(6))) for stamp, more in zip(stamps, twice)]
     path = written(tmp_path, *packets)
     found = {field["name"]: field["rate"] for field in json.loads(mip("info", path, "--json")[1])["fields"]}
-    assert found["filter_data.status"] == pytest.approx(100) and found["filter_data.euler_angles"] == pytest.approx(
-        10, rel=0.2
-    )
+    assert found["filter_data.status"] == pytest.approx(100)
+    assert found["filter_data.euler_angles"] == pytest.approx(10, rel=0.2)
     assert {one.name: one.rate for one in read_log(path).types()} == pytest.approx(found)
 
 

@@ -17,7 +17,7 @@ from mip_tools.errors import Failure
 from mip_tools.files import pages
 from mip_tools.files.pages import CONNECTIONS
 from mip_tools.web.server import Server
-from program import DEVICE, PATIENCE, mip, running, simulated, until
+from program import DEVICE, PATIENCE, running, simulated, until
 
 PING_COMMAND = bytes(base.Ping().packet())
 ACKNOWLEDGE = bytes.fromhex("7565010404f10100d56a")
@@ -82,6 +82,10 @@ class Page:
             assert kind == BINARY, (kind, data)
             found += data
 
+    def ping(self) -> None:
+        self.send(masked(BINARY, PING_COMMAND))
+        self.receive(ACKNOWLEDGE)
+
     def close(self) -> None:
         self.socket.close()
 
@@ -103,8 +107,7 @@ def test_a_page_that_knows_the_token_uses_the_device() -> None:
     with serving() as server:
         page = Page(server, f"/{server.token}")
         assert page.status == "101" and "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=" in page.head
-        page.send(masked(BINARY, PING_COMMAND))
-        page.receive(ACKNOWLEDGE)
+        page.ping()
         page.send(masked(BINARY, PING_COMMAND[:3], final=False), masked(PING, b"x"), masked(0, PING_COMMAND[3:]))
         assert page.message() == (PONG, b"x")
         page.receive(ACKNOWLEDGE)
@@ -140,8 +143,7 @@ def test_nobody_else_does(path: str, host: str, status: str, more: dict[str, str
         page = Page(server, path.format(**known), host.format(**known), **{"key": KEY, **more})
         assert page.status == status
         if status == "101":
-            page.send(masked(BINARY, PING_COMMAND))
-            page.receive(ACKNOWLEDGE)
+            page.ping()
         else:
             while page.socket.recv(4096):  # the reason, in words
                 pass
@@ -223,8 +225,7 @@ def test_slow_and_many_clients_do_not_hold_the_server(monkeypatch: pytest.Monkey
 def test_one_page_at_a_time() -> None:
     with serving() as server:
         first = Page(server, f"/{server.token}")
-        first.send(masked(BINARY, PING_COMMAND))
-        first.receive(ACKNOWLEDGE)
+        first.ping()
         second = Page(server, f"/{server.token}")
         kind, data = second.message()
         assert kind == CLOSE and data[2:] == b"another page is connected; disconnect it first"
@@ -232,8 +233,7 @@ def test_one_page_at_a_time() -> None:
         second.close()
         until(lambda: not server._taken.locked())  # until the first has left
         third = Page(server, f"/{server.token}")
-        third.send(masked(BINARY, PING_COMMAND))
-        third.receive(ACKNOWLEDGE)
+        third.ping()
         third.close()
 
 
@@ -249,8 +249,7 @@ def test_a_port_that_is_lost_or_cannot_be_opened_is_reported_to_the_page() -> No
 
     with serving(open_port) as server:
         page = Page(server, f"/{server.token}")
-        page.send(masked(BINARY, PING_COMMAND))
-        page.receive(ACKNOWLEDGE)
+        page.ping()
         ports[0].close()
         kind, data = page.message()
         assert kind == CLOSE and data[2:].startswith(b"the port is lost: ")
@@ -272,8 +271,7 @@ def test_a_page_that_is_sending_reads_why_it_ends(ending: str) -> None:
 
     with serving(open_port) as server:
         page = Page(server, f"/{server.token}")
-        page.send(masked(BINARY, PING_COMMAND))
-        page.receive(ACKNOWLEDGE)
+        page.ping()
         (server.stop if ending == "the server" else ports[0].close)()
         for _ in range(5):
             page.send(masked(BINARY, PING_COMMAND))
@@ -290,8 +288,7 @@ def test_a_page_that_never_closes_its_end_is_cut_off(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr("mip_tools.files.pages.PATIENCE", 0.2)
     with serving() as server:
         page = Page(server, f"/{server.token}")
-        page.send(masked(BINARY, PING_COMMAND))
-        page.receive(ACKNOWLEDGE)
+        page.ping()
     while page.message()[0] != CLOSE:
         pass
     assert page.socket.recv(1) == b""
@@ -307,23 +304,10 @@ def test_the_command() -> None:
         number, _, token = address.rpartition(":")[2].partition("/")
 
         page = Page(argparse.Namespace(number=int(number)), f"/{token}")
-        page.send(masked(BINARY, PING_COMMAND))
-        page.receive(ACKNOWLEDGE)
+        page.ping()
         process.terminate()
         while (message := page.message())[0] != CLOSE:
             pass
         assert message[1][2:] == b"mip serve has ended"
         page.close()
         assert process.wait(PATIENCE) == 0
-
-
-@pytest.mark.parametrize(
-    ("words", "status", "said"),
-    [
-        ([], 2, "the following arguments are required: PORT"),
-        (["x", "--tcp", "x"], 2, "'x' is not a TCP port; use a number up to 65535"),
-    ],
-)
-def test_what_cannot_be_served(words: list[str], status: int, said: str) -> None:
-    code, out, error = mip("serve", *words)
-    assert (code, out) == (status, "") and said in error
