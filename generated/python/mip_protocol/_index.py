@@ -1,6 +1,8 @@
-"""Names of fields and devices, and the baud rates of devices."""
+"""Names of fields and devices, the baud rates of devices, and how a device identifies itself."""
 
 from __future__ import annotations
+
+from typing import Any
 
 # fmt: off
 
@@ -527,3 +529,11 @@ NAMED: dict[str, tuple[str, ...]] = {
 
 #: Baud rates of all known devices, highest first.
 BAUD_RATES: tuple[int, ...] = (3000000, 921600, 460800, 230400, 115200, 57600, 38400, 19200, 9600, 4800)
+
+#: Set and descriptor of the command with which a device identifies itself.
+IDENTIFY = (0x01, 0x03)
+
+
+def information(answer: Any) -> Any:
+    """Returns the part of its response that contains the model number."""
+    return answer.device_info

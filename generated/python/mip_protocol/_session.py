@@ -2,18 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from .streaming import Session
-
-#: Set and descriptor of the command with which a device identifies itself.
-IDENTIFY = (0x01, 0x03)
-
-
-def information(answer: Any) -> Any:
-    """Returns the part of its response that contains the model number."""
-    return answer.device_info
 
 
 def session() -> Session | None:

@@ -16,7 +16,9 @@ from math import nan
 from typing import Any, NamedTuple, TypeAlias, TypeVar, cast
 
 from ._clocks import CLOCKS
-from ._session import IDENTIFY, information
+
+# needs: session
+from ._index import IDENTIFY, information
 from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut, check_seconds
 from .errors import NoAnswer, Refused
 from .exceptions import PortClosed

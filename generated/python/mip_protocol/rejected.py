@@ -7,8 +7,9 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from ._index import information
 from ._lists import ALTERNATIVES, LISTS
-from ._session import information, session
+from ._session import session
 from ._sets import SETS
 from .conversation import Dialog, Step, T, Ticket, responses
 from .errors import Cause, Refused

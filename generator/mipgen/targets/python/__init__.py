@@ -61,20 +61,21 @@ def _modules(model: m.Model) -> dict[str, dict[str, Any]]:
     """Returns the modules that every package has, with what their templates print."""
     kinds, acknowledge = types(model.types, model), Field(model.protocol.acknowledge, model)
     protocol, rates = model.protocol, {rate for d in model.devices for port in d.ports for rate in port.baud_rates}
-    indexed = (*model.fields, protocol.acknowledge)
+    indexed, commands = (*model.fields, protocol.acknowledge), session.session_commands(model)
     return {
         "__init__": {},
         "_clocks": {"timestamps": validity.timestamps(model), "device_clock": validity.device_clock(model)},
         "_index": {
             "fields": [(f.full_name, (names.home(f), names.class_name(f), f.role, f.title, f.also)) for f in indexed],
             "baud_rates": tuple(sorted(rates, reverse=True)),
+            "session": commands,
         },
         "_lists": {
             "commands": [((f.set, f.descriptor), [x.row for x in rows]) for f, rows in by_command(model).items()],
             "alternatives": alternatives(model).items(),
         },
         "_scalars": {"scalars": [(s, names.SCALARS[s.name]) for s in m.SCALARS.values()]},
-        "_session": {"session": session.session_commands(model)},
+        "_session": {"session": commands},
         "_sets": {"modules": [(s, names.module(s.family)) for s in model.sets]},
         "_words": {"synonyms": (*protocol.synonyms, *((u.word, *u.instead_of) for u in protocol.vocabulary))},
         "devices": {"devices": [Device(d, model) for d in model.devices]},
