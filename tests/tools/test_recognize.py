@@ -157,6 +157,7 @@ OTHERS = {
     "a gzip file": gzip.compress(STREAM),
     "a network capture": b"\xd4\xc3\xb2\xa1" + bytes(99),
     "NMEA": b"$GPZDA,,,,,,*48\r\n" * 9,
+    "NMEA sentences, with wrong": b"$GPZDA,,,,,,*49\r\n" * 9,
     "UBX": ubx(92) + ubx(8) + ubx(92) + ubx(20),
     "RTCM 3": (b"\xd3\x00\x13" + b"\x3e" * 19 + b"abc") * 4,
     "SBF": (b"$@\x12\x34\xa7\x0f" + struct.pack("<H", 40) + bytes(32)) * 4,

@@ -94,6 +94,30 @@ def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
     assert code == 1 and error == f"mip send: {where} cannot be opened: Connection refused\n"
 
 
+def test_what_is_at_the_port_in_place_of_the_device(no_reply_comes: None) -> None:
+    """Commands that wait for an answer say what arrives instead."""
+
+    def sends_sentences(server: socket.socket) -> None:
+        while True:
+            with suppress(OSError):
+                client, _ = server.accept()
+                client.sendall(b"$GPZDA,,,,,,*48\r\n" * 9)
+                kept.append(client)
+
+    kept: list[socket.socket] = []
+    server = socket.create_server(("127.0.0.1", 0))
+    Thread(target=sends_sentences, args=(server,), daemon=True).start()
+    where = f"127.0.0.1:{server.getsockname()[1]}"
+    sent = "but sends NMEA sentences; enable MIP on the port, or use another port of the device"
+    for words, asked in (
+        (("send", where, "base.ping"), "base.ping"),
+        (("stream", where, "sensor.scaled_accel@10"), "3dm.get_base_rate"),
+        (("config", "pull", where), "base.ping"),
+    ):
+        assert mip(*words) == (4, "", f"mip {words[0]}: {where} did not answer {asked}, {sent}\n")
+    assert mip("ports", where)[1].splitlines()[1].endswith("no reply, but NMEA sentences")
+
+
 def test_ports_and_their_devices(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
     code, out, error = mip("ports", place, "127.0.0.1:9")
     head, device, nothing = out.splitlines()
@@ -207,6 +231,19 @@ def test_a_recording(place: str, tmp_path: Path) -> None:
     assert mip("record", place, "-o", out, *named) == (0, "", "") and read_log(out).device is None
     assert out.read_bytes() != kept and Parser().feed(out.read_bytes())
     assert [p.name for p in tmp_path.iterdir()] == ["log"]
+
+
+def test_a_recording_of_fields_at_rates(tmp_path: Path) -> None:
+    with simulated() as place:
+        words = ("record", place, "sensor.scaled_gyro@50", "filter_data.euler_angles@10", "-o", tmp_path / "log.bin")
+        assert mip(*words, "--packets", "80")[0] == 0
+        assert mip("record", place, "sensor.scaled_gyro", "-o", tmp_path / "other.bin") == (
+            2,
+            "",
+            "mip record: sensor.scaled_gyro needs a rate, as in sensor.scaled_gyro@100\n",
+        )
+    found = {one.name: one.rate for one in read_log(tmp_path / "log.bin").types()}
+    assert found["sensor.scaled_gyro"] == pytest.approx(50) and found["filter_data.euler_angles"] == pytest.approx(10)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])

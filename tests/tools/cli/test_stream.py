@@ -81,7 +81,7 @@ def test_a_time_of_an_older_device() -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        (["sensor.scaled_accel", "--rate", "333"], "sensor cannot be started: rate: sensor.scaled_accel at 333 Hz"),
+        (["sensor.scaled_accel", "--rate", "333"], "sensor cannot be started: sensor.scaled_accel at 333 Hz"),
         (["base.ping@10"], "base.ping is not a data field, and only these have a rate"),
         (["sensor.scaled_accel@x"], "'x' is not a rate in Hz"),
         (["--rate", "10"], "--rate needs fields;"),

@@ -6,7 +6,7 @@ import argparse
 from importlib import import_module
 from typing import Any, NamedTuple
 
-from ..binding import MipError, MissingExtra, NoAnswer
+from ..binding import MipError, MissingExtra
 from ..errors import Failure
 from ..options import add_baud
 from ..ports import connection
@@ -75,8 +75,9 @@ def _device(port: _Port, options: argparse.Namespace) -> tuple[str, str, str, st
     try:
         with connection.opened(Line(port.name, options.baud, options.command)) as device:
             reply = device.request(command_type("base.get_device_info")(), timeout=_PATIENCE)
-    except NoAnswer:
-        return port.about, "", "", f"{port.role}, no reply".lstrip(", ")
+    except connection.Silent as silent:
+        remark = f"no reply, but {silent.sent}" if silent.sent else "no reply"
+        return port.about, "", "", f"{port.role}, {remark}".lstrip(", ")
     except Failure as failure:
         return (
             port.about,

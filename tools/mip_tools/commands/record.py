@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import argparse
+from typing import Any
 
 from ..devices.known import KnownDevice
-from ..errors import Failure
+from ..errors import Failure, Misuse
 from ..files import outputs, signals
-from ..options import add_baud, add_device, add_reopen, add_timeout, line_of, positive, seconds
+from ..options import add_baud, add_device, add_reopen, add_timeout, line_of, parse_rates, positive, seconds
 from ..ports import connection
 from ..ports.recording import Recording
+from ..ports.start import ask_and_start
 from ..text.numbers import readable
 
 EPILOG = """\
 examples:
   mip record /dev/ttyACM0 -o log.bin          until Ctrl-C
   mip record localhost:5000 -o log.bin --duration 60
+  mip record /dev/ttyACM0 sensor.scaled_accel@100 sensor.scaled_gyro@100 -o log.bin
   mip record /dev/ttyACM0 -o - | mip dump -
 
+With rates, the device is configured as by `mip stream`, with a timestamp; it continues afterwards.
 Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut` can
 remove them. A recording begins with the identity of the device, so that all commands read its
 flags correctly; with --device, none is requested. The file gets its name when the recording ends,
@@ -30,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add("names", nargs="*", default=[], metavar="NAME@HZ", help="start these fields, in place of others in their sets")
     add("-o", "--output", required=True, metavar="FILE", help="output file; - for standard output")
     add("--duration", type=seconds, metavar="S", help="stop after S seconds")
     add("--packets", type=positive, metavar="N", help="stop after N packets")
@@ -45,7 +50,15 @@ def run(options: argparse.Namespace) -> int:
     if old and not options.force:
         raise Failure(f"{options.output} exists; name another file, or replace it with --force")
     known = KnownDevice(options.device)
-    recording = Recording(line_of(options, options.port), options.duration, options.packets, known)
+    names, rates = parse_rates(options.names, None)
+    if bare := [name for name in names if name in options.names]:
+        raise Misuse(f"{bare[0]} needs a rate, as in {bare[0]}@100")
+
+    def begin(device: Any) -> bool:
+        ask_and_start(device, known, rates, None, options.command)
+        return True
+
+    recording = Recording(line_of(options, options.port), options.duration, options.packets, begin)
     closed = False
     with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True, replace=options.force) as out:
         try:

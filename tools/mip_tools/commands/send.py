@@ -91,11 +91,15 @@ def run(options: argparse.Namespace) -> int:
             ):
                 return _follow(command, options, link)
             (outcome,) = link.exchange(command, timeout=options.timeout)
+            if isinstance(outcome, TimedOut):
+                raise NoAnswer(command, [outcome])
             if isinstance(outcome, Answer) and not outcome.accepted:
                 cause = link.cause(command) if session() else None
                 raise Failure(str(Refused(command, outcome.code, cause=cause)), REFUSED)
             if isinstance(outcome, Answer) and _varies(outcome.response):
                 device.ask(link)
+        except NoAnswer:
+            raise
         except (OSError, MipError) as error:
             raise Failure(f"{options.port}: {connection.reason(error)}") from None
     for text in device.news():
@@ -130,8 +134,6 @@ def _print_outcome(command: Command, outcome: Any, options: argparse.Namespace, 
     if outcome is None:
         _print(options, command, "sent", device, None, "sent; the device does not answer it")
         return 0
-    if isinstance(outcome, TimedOut):
-        raise Failure(f"{options.port} did not answer {command.NAME}; check the port and --baud", SILENT)
     assert isinstance(outcome, Answer)
     if outcome.error is not None:
         raise Failure(f"the answer to {command.NAME} is wrong: {outcome.error.detail}")

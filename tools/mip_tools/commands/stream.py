@@ -32,7 +32,7 @@ from ..options import (
 )
 from ..ports import connection
 from ..ports.silence import Line
-from ..ports.start import start
+from ..ports.start import ask_and_start
 
 EPILOG = """\
 examples:
@@ -146,10 +146,7 @@ def _arriving(
         return inputs.arriving(options.input, progress=False)
 
     def begin(device: Any) -> bool:
-        sender.ask(device)
-        if rates:
-            for text in start(device, rates, options.time, sender.id):
-                print(f"mip stream: {text}", file=sys.stderr)
+        ask_and_start(device, sender, rates, options.time, options.command)
         return not rates
 
     return connection.port_pieces(line, options.duration, begin)

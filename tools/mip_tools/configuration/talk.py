@@ -90,8 +90,7 @@ class Talk:
                 return self.link.request(command)
             except NoAnswer:
                 if attempt == ATTEMPTS - 1:
-                    message = f"{self.port} did not answer {command.NAME}; check the line and --baud, and try again"
-                    raise Failure(message, listing.SILENT) from None
+                    raise
             except PortClosed as error:
                 raise Failure(f"{self.port}: {error}") from None
         return None

@@ -366,9 +366,12 @@ def _single_byte(data: bytes) -> Recognized | None:
 
 
 def _sentences(data: bytes) -> Recognized | None:
+    remedy = "enable MIP on the port, or use another port of the device"
     count = len(sentences.Sentences().feed(data + b"\n"))
     if count and data.count(b"$") + data.count(b"!") <= 4 * count:
-        return Recognized("NMEA sentences", "enable MIP on the port, or use another port of the device")
+        return Recognized("NMEA sentences", remedy)
+    if re.search(rb"(?:^|\n)\$(?:G[ABLNPQ]|P)[A-Z]{3},[^\n]*\*[0-9A-F]{2}\r?(?:\n|$)", data):
+        return Recognized("NMEA sentences, with wrong checksums", remedy)
     return None
 
 
@@ -379,7 +382,7 @@ def _text(data: bytes) -> Recognized | None:
     first = lines[0].decode("ascii")
     if len(lines) > 1 and first.count(",") > 1 and lines[1].count(b",") == lines[0].count(b","):
         return Recognized("a table of text", "name the log from which it was made")
-    return Recognized(f"text: {first[:40]!r}", "name the log")
+    return Recognized(f"text: {first[:40]!r}", "name a log, or the port of a device")
 
 
 _QUESTIONS: tuple[Callable[[bytes], Recognized | None], ...] = (

@@ -6,22 +6,24 @@ import os
 import queue
 import sys
 import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 from .. import binding
-from ..binding import MipError, PortError
+from ..binding import MipError, NoAnswer, PortError
 from ..errors import Failure
+from ..logs.recognize import recognized
 from ..logs.scan import Piece, Scanner
-from .silence import Line, Silence
+from .silence import SILENT, Line, Silence
 
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort
 
-    Begin = Callable[[DeviceAtPort], bool]
 
+Begin = Callable[["DeviceAtPort"], bool]
 #: Seconds without data after which an incomplete packet is discarded.
 INCOMPLETE = 0.5
 _TURN = 0.1
@@ -31,17 +33,32 @@ class Lost(Failure):
     """A port that has closed by itself."""
 
 
+class Silent(Failure):
+    """A device that does not answer; `sent` says what arrives in place of MIP, if anything does."""
+
+    def __init__(self, name: str, error: NoAnswer, skipped: bytes) -> None:
+        found = recognized(skipped) if skipped else None
+        self.sent = found.what if found else ""
+        hint = f", but sends {found}" if found else "; check the port and --baud"
+        super().__init__(f"{name} did not answer {error.command.NAME}{hint}", SILENT)
+
+
 @contextmanager
 def opened(line: Line, **more: Any) -> Iterator[DeviceAtPort]:
-    """Opens the port of a device. Raises Failure if it cannot be opened."""
+    """Opens the port of a device. Raises Failure if it cannot be opened, and if NoAnswer comes from within."""
     if os.path.isfile(line.name):
         raise Failure(f"{line.name} is a file, not a port")
+    skipped: deque[bytes] = deque(maxlen=100)
     try:
-        device = binding.open_port(line.name, line.baud, **more)
+        device = binding.open_port(line.name, line.baud, on_skipped=skipped.append, **more)
     except (OSError, ImportError, MipError, ValueError) as error:
         raise Failure(why_not(line.name, error)) from None
     with device:
-        yield device
+        try:
+            yield device
+        except NoAnswer as error:
+            only = not device.waiting and not device.dropped  # no MIP packets besides
+            raise Silent(line.name, error, b"".join(skipped) if only else b"") from None
 
 
 def why_not(name: str, error: BaseException) -> str:
@@ -52,7 +69,7 @@ def why_not(name: str, error: BaseException) -> str:
 
 def reason(error: BaseException) -> str:
     """Formats the message of an exception in one line."""
-    message = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    message = getattr(error, "strerror", None) or getattr(error, "detail", None) or str(error) or type(error).__name__
     return " ".join(str(message).split())
 
 

@@ -115,8 +115,7 @@ class _Questions:
         except Refused:
             pass
         except NoAnswer:
-            message = f"{self.name} did not answer base.ping; check the port and --baud"
-            raise Failure(message, SILENT) from None
+            raise
         except MipError as error:
             raise Failure(f"{self.name}: {error}") from None
 
@@ -152,7 +151,7 @@ class _Questions:
             code = f"{error.code.name.lower()} ({int(error.code)})"
             raise Failure(f"the device refused {command}: {code}; its descriptors are unknown", REFUSED) from None
         except NoAnswer:
-            raise Failure(f"{self.name} did not answer {command}; try again", SILENT) from None
+            raise
         except MipError as error:
             raise Failure(f"{self.name}: {error}") from None
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from typing import IO
 
-from ..devices.known import KnownDevice
 from ..files import outputs
 from ..logs.scan import Scanner
 from ..text.numbers import readable
@@ -16,10 +15,9 @@ from .silence import Line, Silence
 class Recording:
     """The bytes that a device sends, written as they arrive."""
 
-    def __init__(self, line: Line, seconds: float | None, most: int | None, device: KnownDevice) -> None:
-        """`seconds` and `most` packets end it. The device is asked what it is, unless it is named: its reply is in the
-        recording."""
-        self._line, self._seconds, self._most, self._device = line, seconds, most, device
+    def __init__(self, line: Line, seconds: float | None, most: int | None, begin: connection.Begin) -> None:
+        """`seconds` and `most` packets end it. `begin` is called with the device as soon as the port is open."""
+        self._line, self._seconds, self._most, self._begin = line, seconds, most, begin
         self._scanner = Scanner()
         self.size = 0
         self.packets = 0
@@ -29,7 +27,7 @@ class Recording:
     def write(self, out: IO[bytes]) -> None:
         """Writes the received bytes until the requested duration or number of packets is reached."""
         watch: Silence | None = None
-        for data in connection.received_bytes(self._line, self._seconds, self._device.ask):
+        for data in connection.received_bytes(self._line, self._seconds, self._begin):
             watch = watch or Silence(self._line)
             keep = len(data)
             if data:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from ..binding import CLOCKS, DEVICES, MipError, Refused, session
+from ..binding import CLOCKS, DEVICES, MipError, NoAnswer, Refused, session
 from ..devices.profiles import data_sets
 from ..errors import Failure, Misuse
 from ..names.occurrence import Occurrence
@@ -16,6 +17,7 @@ from .listing import REFUSED
 
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort, Field
+    from ..devices.known import KnownDevice
 
 
 def start(
@@ -40,6 +42,8 @@ def start(
     for number, own in sets.items():
         try:
             device.stream({**shared, **own}, set=number, timestamp=timestamp)
+        except NoAnswer:
+            raise
         except (OSError, MipError) as error:
             if isinstance(error, Refused) and _has_own_rate(model, number):
                 own_rates.append(f"{DEVICES[model or ''].title} sends {show.set_name(number)} at a rate of its own")
@@ -47,6 +51,15 @@ def start(
             code = REFUSED if isinstance(error, Refused) else 1
             raise Failure(f"{show.set_name(number)} cannot be started: {connection.reason(error)}", code) from None
     return own_rates
+
+
+def ask_and_start(
+    device: DeviceAtPort, known: KnownDevice, rates: Mapping[Occurrence, float], time: str | None, command: str
+) -> None:
+    """Asks a device what it is, and starts fields, if any; `command` of `mip` reports sets with rates of their own."""
+    known.ask(device)
+    for text in start(device, rates, time, known.id) if rates else ():
+        print(f"mip {command}: {text}", file=sys.stderr)
 
 
 def _has_own_rate(model: str | None, number: int) -> bool:
