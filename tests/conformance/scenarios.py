@@ -88,10 +88,9 @@ class Words:
         f = next(f for f in self.of.fields if f.role == m.DATA and f.set != 0xFF)
         return codec.build(self.of, f.set, [(f.descriptor, codec.encode(f, values_of(f)))])
 
-    def response(self, command: m.Field, index: int = 0, spoiled: bool = False) -> Wire:
+    def response(self, command: m.Field, index: int = 0) -> Wire:
         f = responses(self.of, command)[index]
-        data = codec.encode(f, values_of(f))
-        return f.descriptor, data[:-1] if spoiled else data
+        return f.descriptor, codec.encode(f, values_of(f))
 
     def asked(self, command: m.Field, index: int) -> dict[str, Any]:
         """The values with which a command asks for one of its responses."""

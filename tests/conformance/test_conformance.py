@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
@@ -274,9 +274,8 @@ def mutated(chance: random.Random, data: bytes, f: Any) -> bytes:
     out = bytearray(data)
     for _ in range(chance.randrange(4)):
         if out:
-            out[chance.randrange(len(out))] = chance.choice(
-                [0, 1, 2, 3, 4, 5, 6, 0x7F, 0x80, 0xFF, chance.randrange(256)]
-            )
+            byte = chance.choice([0, 1, 2, 3, 4, 5, 6, 0x7F, 0x80, 0xFF, chance.randrange(256)])
+            out[chance.randrange(len(out))] = byte
     tail = chance.randrange(-3, 4)
     out = out[:tail] if tail < 0 else out + bytes(chance.randrange(256) for _ in range(tail))
     return bytes(out[:253])
@@ -285,17 +284,21 @@ def mutated(chance: random.Random, data: bytes, f: Any) -> bytes:
 # --------------------------------------------------------------------------- wrong values
 
 
+def decoded(of: m.Model, chance: random.Random) -> Iterator[tuple[m.Field, dict[str, Any]]]:
+    """Values of each field of whose samples the first can be decoded."""
+    for f in all_fields(of):
+        try:
+            yield f, codec.decode(f, samples(f, chance)[0])[0]
+        except codec.CodecError:
+            continue
+
+
 @each_of_the_small_one("encode")
 def test_wrong_values_are_refused(language: str, spec: str) -> None:
     """One fault at a time; the reference says which it is."""
     of, chance = model(spec), chance_of(3)
     requests = []
-    for f in all_fields(of):
-        data = samples(f, chance)[0]
-        try:
-            values, _ = codec.decode(f, data)
-        except codec.CodecError:
-            continue
+    for f, values in decoded(of, chance):
         requests += [encode_request(set_of(f, of), f, wrong) for wrong in faults(f, values)]
     answers = compare(language, spec, requests)
     kinds = {a["error"] for a in answers if "error" in a}
@@ -306,12 +309,7 @@ def test_wrong_values_are_refused(language: str, spec: str) -> None:
 def test_a_shorter_text_of_fixed_length_ends_with_spaces(language: str, spec: str) -> None:
     """Whether it is empty or only one character short; a longer one is rejected. Decoding returns the spaces."""
     of, chance, requests, wanted = model(spec), chance_of(5), [], list[str | None]()
-    for f in all_fields(of):
-        data = samples(f, chance)[0]
-        try:
-            values, _ = codec.decode(f, data)
-        except codec.CodecError:
-            continue
+    for f, values in decoded(of, chance):
         for size, error in ((0, None), (3, None), (-1, None), (1000, "count")):
             changed = _with_texts(f.parameters, values, size)
             if changed != values:

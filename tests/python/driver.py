@@ -59,26 +59,13 @@ def decode(request: dict[str, Any]) -> dict[str, Any]:
         packet = Packet(bytes.fromhex(request["packet"]))
     except PacketError as error:
         return {"error": error.kind}
-    return {"set": packet.set, "fields": [*map(decoded, fields_of(packet)), *malformed(packet)]}
-
-
-def fields_of(packet: Packet) -> list[RawField]:
-    """The fields before a malformed one."""
     fields = []
     try:
         for raw in packet:
-            fields.append(raw)
-    except PacketError:
-        pass
-    return fields
-
-
-def malformed(packet: Packet) -> list[dict[str, Any]]:
-    try:
-        list(packet)
+            fields.append(decoded(raw))
     except PacketError as error:
-        return [{"error": error.kind}]
-    return []
+        fields.append({"error": error.kind})
+    return {"set": packet.set, "fields": fields}
 
 
 def decoded(raw: RawField) -> dict[str, Any]:
@@ -337,7 +324,8 @@ class Session:
             if isinstance(event, Answer):
                 self.answer(event)
             elif isinstance(event, Received):
-                fields = [*map(decoded, event.fields), *malformed(event.packet)]
+                malformed = event.packet.malformed
+                fields = [*map(decoded, event.fields), *([{"error": malformed.kind}] if malformed else [])]
                 self.happens("received", set=event.packet.set, fields=fields)
             else:
                 self.happens("timed_out", command=self.number(event.command))

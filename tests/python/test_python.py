@@ -73,10 +73,7 @@ def test_complaints_have_the_path_and_the_type() -> None:
         (lambda: dm.MessageFormat.write(0x80, rates), "range: descriptors[1].decimation is 70000, needs 0 to 65535"),
         (lambda: dm.MessageFormat.write(0x80, (rates[0], 4)), "range: descriptors[1] is 4, needs a DescriptorRate"),
         (lambda: dm.MessageFormat.write(0x80, (None,)), "missing: descriptors[0] is None"),
-        (
-            lambda: dm.MessageFormat.write(0x80, (types.DescriptorRate(None, 1),)),
-            "missing: descriptor is None",
-        ),
+        (lambda: dm.MessageFormat.write(0x80, (types.DescriptorRate(None, 1),)), "missing: descriptor is None"),
         (
             lambda: dm.MessageFormat.write("sensor", ()),
             "range: descriptor_set is 'sensor', needs a whole number from 0 to 255",

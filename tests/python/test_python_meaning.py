@@ -108,16 +108,8 @@ def test_parameters_know_what_they_mean(spec: str) -> None:
 
 
 def check(package: Package, p: m.Parameter, r: m.Record, row: Any, of: m.Model) -> None:
-    e, scalar = p.element, getattr(p.element, "scalar", p.element)
-    named = e if isinstance(e, (m.Enum, m.Bitfield, m.Struct)) else None
-    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.kind)
-    assert (row.length, row.constant, row.type) == (p.length, p.constant, named and kind(package, named))
-    assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
-    assert row.elements == (e.elements if isinstance(e, m.Vector) else ())
-    bits = isinstance(e, m.Bitfield) and scalar is None
-    assert row.scalar == ("bits" if bits else scalar.name if isinstance(scalar, m.Scalar) else "")
-    assert not bits or row.size == named.size
-    assert {tag: bool(case) for tag, case in row.cases.items()} == {c.tag.value: bool(c.parameter) for c in p.cases}
+    """What the conformance driver does not need to know."""
+    assert (row.name, row.attribute, row.constant) == (p.name, names.member(p.name), p.constant)
     assert (row.units, row.frame, row.valid) == (p.units, p.frame or "", p.valid)
     assert (row.minimum, row.maximum, row.above, row.below) == (p.minimum, p.maximum, p.above, p.below)
     assert row.magnitude == p.magnitude

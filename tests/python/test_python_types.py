@@ -8,7 +8,6 @@ import subprocess
 import sys
 import sysconfig
 import venv
-from collections.abc import Sequence
 from pathlib import Path
 
 from packages import REAL
@@ -126,33 +125,21 @@ def test_mypy(tmp_path: Path) -> None:
     assert set(errors) == lines, done.stdout
 
 
-def pyright(folder: Path, files: Sequence[Path]) -> list[tuple[str, int, str]]:
-    """File, line and message of each error, for users who have installed the package."""
-    venv.create(folder / "env", symlinks=True)
-    python = folder / "env/bin/python"
-    (packages,) = (folder / "env/lib").glob("python3*/site-packages")
+@heavy("pyright")
+def test_pyright(tmp_path: Path) -> None:
+    """For users who have installed the package, it finds nothing in the programs, and knows the same of arrays."""
+    venv.create(tmp_path / "env", symlinks=True)
+    python = tmp_path / "env/bin/python"
+    (packages,) = (tmp_path / "env/lib").glob("python3*/site-packages")
     (packages / "installed.pth").write_text(f"{REAL}\n{ROOT / 'tools'}\n{sysconfig.get_path('purelib')}\n")
+    (tmp_path / "arrays.py").write_text(ARRAYS, "utf-8")
+    files = [*programs(tmp_path), tmp_path / "arrays.py"]
     settings = {"include": [str(f) for f in files], "typeCheckingMode": "standard", "pythonPlatform": "All"}
-    (folder / "pyrightconfig.json").write_text(json.dumps(settings))
-    command = [sys.executable, "-m", "basedpyright", "--outputjson", "--project", folder, "--pythonpath", python]
+    (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))
+    command = [sys.executable, "-m", "basedpyright", "--outputjson", "--project", tmp_path, "--pythonpath", python]
     done = subprocess.run(command, capture_output=True, text=True)
     found = json.loads(done.stdout)
     assert found["summary"]["filesAnalyzed"] == len(files), done.stdout
-    return [
-        (Path(x["file"]).name, x["range"]["start"]["line"] + 1, x["message"])
-        for x in found["generalDiagnostics"]
-        if x["severity"] == "error"
-    ]
-
-
-@heavy("pyright")
-def test_pyright_finds_nothing_in_the_programs_of_the_documentation(tmp_path: Path) -> None:
-    assert not pyright(tmp_path, programs(tmp_path))
-
-
-@heavy("pyright")
-def test_arrays_are_made_of_any_sequence_for_pyright(tmp_path: Path) -> None:
-    file = tmp_path / "arrays.py"
-    file.write_text(ARRAYS)
-    found = pyright(tmp_path, [file])
-    assert {line for _, line, _ in found} == wrong_lines(ARRAYS), found
+    errors = [x for x in found["generalDiagnostics"] if x["severity"] == "error"]
+    lines = {(Path(x["file"]).name, x["range"]["start"]["line"] + 1) for x in errors}
+    assert lines == {("arrays.py", n) for n in wrong_lines(ARRAYS)}, errors

@@ -49,6 +49,7 @@ fn occurs<T: Listed>(descriptor: u8, name: &str, sets: &[(u8, &str)], data: &[u8
     for set in (0..=255).map(DescriptorSet) {
         let its_name = sets.iter().find(|(number, _)| *number == set.0).map(|(_, its_name)| *its_name);
         assert_eq!((T::occurs_in(set), T::INFO.name_in(set)), (its_name.is_some(), its_name));
+        assert_eq!(T::INFO.title_in(set).is_some(), its_name.is_some());
         let mut builder = PacketBuilder::new(set);
         let pushed = builder.push(&value).map_err(|error| (error.kind, error.got));
         let field = RawField { set, descriptor, data };

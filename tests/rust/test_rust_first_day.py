@@ -6,13 +6,13 @@ import json
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from crates import WORK, cargo_lock, passes, rendered, write
+from mip_protocol import base, open_port
 from mipgen.targets.rust import session
-from support import PATIENCE, PYTHONPATH, heavy, locked, model, simulated
+from support import PATIENCE, heavy, locked, model, simulated
 from test_rust import HERE
 from test_rust_examples import EXAMPLES, FEATURES, SETS, crate, programs, ran
 from virtual import test_datagrams as datagrams
@@ -112,16 +112,10 @@ def test_the_baud_rate_is_found(tmp_path: object) -> None:
     """Another program has changed the rate; a rate that is given is tried first."""
     path = f"{tmp_path}/terminal"
     programs()
-    change = (
-        "import sys\nfrom mip_protocol import base, open_port\n"
-        "with open_port(sys.argv[1]) as device:\n"
-        "    device.request(base.SetIdle())\n"
-        "    print(device.change_baud(base.CommSpeed.write(0x11, 460800)))\n"
-    )
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     with simulated("--port", f"UART 1=pty:{path}", "--strict-baud", "--duration", "6"):
-        done = subprocess.run([sys.executable, "-c", change, path], env=environment, capture_output=True, text=True)
-        assert done.stdout == "460800\n"
+        with open_port(path) as device:
+            device.request(base.SetIdle())
+            assert device.change_baud(base.CommSpeed.write(0x11, 460800)) == 460800
         code, out, _ = ran("stream", f"serial:{path}:460800")
         assert code == 1 and out.startswith("3DM-CV7-GNSS/INS\n") and len(out.splitlines()) > 100
 
@@ -203,68 +197,46 @@ def test_replies_over_udp_stay_those_of_their_commands(tmp_path: Path) -> None:
     datagrams.check(tmp_path, {way: [str(program), way] for way in DEVICES}, 500)
 
 
-#: Loses its port, which then cannot be opened.
-LOST = """
-use mip_protocol::{base::Ping, device::DeviceError};
-#[tokio::main]
-async fn main() {
-    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+#: One port is lost and cannot be opened again, one is opened at the second attempt; ports of each kind copy what they
+#: receive.
+PORTS = """
+use mip_protocol::base::Ping;
+use mip_protocol::device::{AsyncLine, Device, DeviceError, Line, Port, TokioDevice};
+use std::{fs, io::Write, net::TcpListener, time::Duration};
+const PING: &[u8] = b"noise\\x75\\x65\\x01\\x02\\x02\\x01\\xE0\\xC6";
+
+fn listening() -> (TcpListener, String) {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let place = listener.local_addr().unwrap().to_string();
-    let line = mip_protocol::device::AsyncLine::open(&place).await.unwrap();
-    let mut device = mip_protocol::device::TokioDevice::at(line);
+    (listener, place)
+}
+
+async fn lost() {
+    let (listener, place) = listening();
+    let mut device = TokioDevice::at(AsyncLine::open(&place).await.unwrap());
     drop(listener);
-    let error = device.reopen(std::time::Duration::ZERO).await.unwrap_err();
+    let error = device.reopen(Duration::ZERO).await.unwrap_err();
     assert!(matches!(error, DeviceError::Port(_)), "{error}");
     let error = device.request(&Ping::new()).await.unwrap_err();
     assert!(matches!(error, DeviceError::Closed), "{error}");
 }
-"""
 
-
-@heavy(EXAMPLES)
-def test_a_lost_port_of_tokio_accepts_nothing() -> None:
-    subprocess.run([built("lost", LOST)], check=True, timeout=PATIENCE)
-
-
-#: Loses its port, which can be opened at the second attempt only.
-RETRIED = """
-use mip_protocol::device::{Line, Port};
-use std::{fs::rename, time::Duration};
-fn main() {
-    let path = std::env::args().nth(1).unwrap();
+fn retried(path: &str) {
     let away = format!("{path}.away");
     let mut line = Line::open(&format!("serial:{path}")).unwrap();
     assert!(line.set_baud(230_400).unwrap());
-    rename(&path, &away).unwrap();
+    fs::rename(path, &away).unwrap();
     line.reopen(Duration::ZERO).unwrap_err();
-    rename(&away, &path).unwrap();
+    fs::rename(&away, path).unwrap();
     line.reopen(Duration::ZERO).unwrap();
-    assert_eq!(line.baud(), Some(230_400));
+    assert_eq!(line.baud(), Some(230_400)); // as before
 }
-"""
 
-
-@heavy(EXAMPLES)
-def test_a_second_attempt_has_the_same_baud_rate(tmp_path: Path) -> None:
-    _, terminal = os.openpty()
-    port = tmp_path / "port"
-    port.symlink_to(os.ttyname(terminal))
-    subprocess.run([built("retried", RETRIED), port], check=True, timeout=PATIENCE)
-
-
-#: Copies what it receives, in each of three ways.
-RECORDED = """
-use mip_protocol::device::{AsyncLine, Device, Line, TokioDevice};
-use std::{fs, io::Write, net::TcpListener};
-const PING: &[u8] = b"noise\\x75\\x65\\x01\\x02\\x02\\x01\\xE0\\xC6";
-#[tokio::main]
-async fn main() {
-    let path = std::env::args().nth(1).unwrap();
+async fn recorded(path: &str) {
     for way in 0..3 {
-        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
-        let place = listener.local_addr().unwrap().to_string();
+        let (listener, place) = listening();
         std::thread::spawn(move || listener.accept().unwrap().0.write_all(PING).unwrap());
-        let file = fs::File::create(&path).unwrap();
+        let file = fs::File::create(path).unwrap();
         if way == 0 {
             let mut device = Device::new(Line::open(&place).unwrap());
             device.port_mut().record(file);
@@ -278,12 +250,26 @@ async fn main() {
                 assert!(device.split().1.next_packet(10_000).await.unwrap().is_some());
             }
         }
-        assert_eq!(fs::read(&path).unwrap(), PING);
+        assert_eq!(fs::read(path).unwrap(), PING);
+    }
+}
+
+#[tokio::main]
+async fn main() {
+    let words: Vec<String> = std::env::args().collect();
+    match &*words[1] {
+        "lost" => lost().await,
+        "retried" => retried(&words[2]),
+        _ => recorded(&words[2]).await,
     }
 }
 """
 
 
 @heavy(EXAMPLES)
-def test_received_bytes_are_copied(tmp_path: Path) -> None:
-    subprocess.run([built("recorded", RECORDED), tmp_path / "log.bin"], check=True, timeout=PATIENCE)
+def test_ports_of_programs(tmp_path: Path) -> None:
+    _, terminal = os.openpty()
+    (tmp_path / "port").symlink_to(os.ttyname(terminal))
+    program = built("ports", PORTS)
+    for words in (["lost"], ["retried", tmp_path / "port"], ["recorded", tmp_path / "log.bin"]):
+        subprocess.run([program, *words], check=True, timeout=PATIENCE)

@@ -18,11 +18,7 @@ sys.path.append(str(ROOT / "tests/fuzz"))
 import fuzz  # noqa: E402
 
 #: Names of targets with the inputs, and the specification of the crate: the parser is the same in both.
-SPECS = {
-    "parser": "invented",
-    "fields-invented": "invented",
-    "fields": "real",
-}
+SPECS = {"parser": "invented", "fields-invented": "invented", "fields": "real"}
 
 
 @pytest.mark.parametrize(

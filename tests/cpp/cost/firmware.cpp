@@ -1,4 +1,4 @@
-// The same as firmware.c.
+// A typical application of a microcontroller: three fields, and a few commands.
 #include "mip/cpp/3dm_commands.hpp"
 #include "mip/cpp/base_commands.hpp"
 #include "mip/cpp/filter_data.hpp"

