@@ -113,12 +113,16 @@ def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:
     """Returns the descriptor set that all of these fields occur in."""
     if wrong := next((rate for rate in rates.values() if not rate >= 0), None):
         raise ValueError(f"a rate must be 0 (the highest rate) or more, not {wrong}")
+    if (name := next((kind for kind in rates if not isinstance(kind, type)), None)) is not None:
+        raise TypeError(f"{name!r} is not a type of field, as sensor.ScaledAccel is")
     listed = [kind.SETS for kind in rates if not isinstance(kind.SETS, range)]
     common = [s for s in (listed[0] if listed else ()) if all(s in sets for sets in listed)]
     if set is None:
         if len(common) != 1:
             names = ", ".join(kind.NAME for kind in rates)
-            sets = ", ".join(f"0x{s:02X}" for s in common) or "one with all of them"
+            if listed and not common:
+                raise ValueError(f"{names} are in no common set; call stream once for each set")
+            sets = ", ".join(f"0x{s:02X}" for s in common) or "that of the packets"
             raise ValueError(f"`set` is needed for {names or 'no fields'}: {sets}")
         return int(common[0])
     for kind in rates:

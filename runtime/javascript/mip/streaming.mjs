@@ -57,7 +57,8 @@ export function setOf(rates, set) {
     const common = (listed[0] ?? []).filter((one) => listed.every((sets) => sets.includes(one)));
     if (common.length !== 1) {
         const names = kinds.map((kind) => kind.NAME).join(", ") || "no fields";
-        throw new MipError("set", `\`set\` is needed for ${names}: ${common.join(", ") || "one with all of them"}`);
+        const none = listed.length ? "they are in no common set; call stream once for each set" : "that of the packets";
+        throw new MipError("set", `\`set\` is needed for ${names}: ${common.join(", ") || none}`);
     }
     return common[0];
 }

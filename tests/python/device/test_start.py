@@ -162,8 +162,10 @@ def test_the_set() -> None:
     for rates in ({gnss_data.LlhPosition: 1}, {shared.GpsTimestamp: 1}, {}):
         with pytest.raises(ValueError, match="`set` is needed"):
             set_of(rates, None)
-    with pytest.raises(ValueError, match="`set` is needed"):
+    with pytest.raises(ValueError, match="are in no common set; call stream once for each set"):
         set_of({sensor.ScaledAccel: 1, filter_data.EulerAngles: 1}, None)
+    with pytest.raises(TypeError, match="is not a type of field"):
+        set_of({"sensor.scaled_accel": 1}, None)  # type: ignore[dict-item]
     with pytest.raises(EncodeError, match="does not occur in the set 0x82"):
         set_of({sensor.ScaledAccel: 1}, 0x82)
     for wrong in (-1.0, float("nan")):

@@ -29,7 +29,7 @@ examples:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("name", nargs="?", metavar="NAME", help="a set or a field")
+    add("name", nargs="*", metavar="NAME", help="a set or a field; several words are searched")
     add("--search", nargs="+", metavar="WORD", help="fields that have these words, the best first")
     add_device(parser, "only the fields of this device")
     add("--devices", action="store_true", help="list the devices")
@@ -43,7 +43,9 @@ def run(options: argparse.Namespace) -> int:
             incomplete = f" (incomplete: {field_texts.extent(device)})" if device.incomplete else ""
             print(f"{device.id:<{width}}  {device.title}{incomplete}")
         return 0
-    options.search = " ".join(options.search) if options.search else None
+    words = options.search or (options.name if options.name[1:] else [])
+    options.search = " ".join(words) if words else None
+    options.name = options.name[0] if len(options.name) == 1 else None
     chosen = _chosen(options)
     if options.json:
         print(json.dumps([field_texts.as_json(field) for field in chosen], indent=2))
