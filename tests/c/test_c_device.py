@@ -32,8 +32,7 @@ static bool put(void *user, const uint8_t *bytes, size_t size) {
     return true;
 }
 static bool take(void *user, uint8_t *bytes, size_t size, size_t *count) {
-    (void)user;
-    (void)size;
+    (void)user, (void)size;
     memcpy(bytes, answer, answer_size);
     *count = answer_size;
     answer_size = 0;

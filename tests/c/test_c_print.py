@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import random
 import struct
@@ -59,28 +60,20 @@ def real(bits: str) -> str:
     data = bytes.fromhex(bits.removeprefix("0x"))
     form = ">f" if len(data) == 4 else ">d"
     (value,) = struct.unpack(form, data)
-    if value != value:
-        return "nan"
-    if value in (float("inf"), float("-inf")):
-        return "inf" if value > 0 else "-inf"
-    text = f"{Decimal(repr(value)):e}"  # all digits that a double needs
-    for digits in range(1, 10 if len(data) == 4 else 1):
-        text = f"{value:.{digits - 1}e}"
+    if not math.isfinite(value):
+        return f"{value:g}"
+    text = repr(value)  # all digits that a double needs
+    for digits in range(9 if len(data) == 4 else 0):
+        text = f"{value:.{digits}e}"
         try:
             if struct.pack(form, float(text)) == data:
                 break
         except OverflowError:  # rounded up beyond the largest
             continue
-    mantissa, _, exponent = text.partition("e")
-    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
-    if -4 <= int(exponent) < 16:
-        sign, figures = "-" * text.startswith("-"), mantissa.lstrip("-").replace(".", "")
-        point = int(exponent) + 1
-        if point <= 0:
-            return f"{sign}0.{'0' * -point}{figures}" if value else f"{sign}0"
-        whole, part = figures[:point].ljust(point, "0"), figures[point:]
-        return f"{sign}{whole}.{part}" if part else f"{sign}{whole}"
-    return f"{mantissa}e{int(exponent)}"
+    number = Decimal(text).normalize()
+    if -4 <= number.adjusted() < 16:
+        return f"{number:f}"
+    return f"{number.scaleb(-number.adjusted()).normalize():f}e{number.adjusted()}"
 
 
 def in_state(t: m.Bitfield, values: dict[str, Any]) -> list[m.Bits]:

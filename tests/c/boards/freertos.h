@@ -16,6 +16,12 @@ typedef struct task *TaskHandle_t;
 #define portTICK_PERIOD_MS ((TickType_t)1)
 #define pdMS_TO_TICKS(milliseconds) ((TickType_t)(milliseconds))
 #define portYIELD_FROM_ISR(woken) ((void)(woken))
+#define xSemaphoreTakeRecursive(mutex, wait) (pthread_mutex_lock(mutex) == 0)
+#define xSemaphoreGiveRecursive(mutex) (pthread_mutex_unlock(mutex) == 0)
+#define xStreamBufferReceive fifo_get
+#define vTaskDelay board_sleep
+#define vTaskDelete(task) pthread_exit(NULL)
+#define xTaskGetTickCount board_now
 
 void uart_send(const uint8_t *bytes, size_t size);
 void uart_interrupt(const uint8_t *bytes, size_t size);
@@ -31,15 +37,6 @@ static SemaphoreHandle_t xSemaphoreCreateRecursiveMutex(void) {
     return &made;
 }
 
-static BaseType_t xSemaphoreTakeRecursive(SemaphoreHandle_t mutex, TickType_t wait) {
-    (void)wait;
-    return pthread_mutex_lock(mutex) == 0;
-}
-
-static BaseType_t xSemaphoreGiveRecursive(SemaphoreHandle_t mutex) {
-    return pthread_mutex_unlock(mutex) == 0;
-}
-
 static StreamBufferHandle_t xStreamBufferCreate(size_t size, size_t trigger) {
     static struct fifo made = FIFO;
     return size == sizeof(made.bytes) && trigger == 1 ? &made : NULL;
@@ -50,28 +47,11 @@ static size_t xStreamBufferSendFromISR(StreamBufferHandle_t to, const void *byte
     return fifo_put(to, bytes, size);
 }
 
-static size_t xStreamBufferReceive(StreamBufferHandle_t from, void *bytes, size_t size, TickType_t wait) {
-    return fifo_get(from, bytes, size, wait);
-}
-
 static BaseType_t xTaskCreate(void (*run)(void *), const char *name, unsigned short stack, void *argument,
                               UBaseType_t priority, TaskHandle_t *task) {
     (void)name, (void)stack, (void)argument, (void)priority, (void)task;
     tasks[tasks[0] != NULL] = run;
     return 1;
-}
-
-static void vTaskDelay(TickType_t ticks) {
-    board_sleep(ticks);
-}
-
-static void vTaskDelete(TaskHandle_t task) {
-    (void)task;
-    pthread_exit(NULL);
-}
-
-static TickType_t xTaskGetTickCount(void) {
-    return board_now();
 }
 
 void uart_send(const uint8_t *bytes, size_t size) {

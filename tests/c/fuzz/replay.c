@@ -64,49 +64,30 @@ static void run(const uint8_t *data, size_t size) {
 }
 
 static int digit(int c) {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                                                                 : -1;
-}
-
-/* One line; false at the end of the file. */
-static bool read_line(FILE *file, struct bytes *line, bool *comment) {
-    static uint8_t buffer[LARGEST];
-    int c = getc(file);
-    line->size = 0;
-    line->data = buffer;
-    *comment = c == '#' || c == '\n';
-    if (c == EOF) {
-        return false;
-    }
-    while (c != '\n' && c != EOF) {
-        if (!*comment) {
-            const int high = digit(c);
-            const int low = digit(getc(file));
-            CHECK(high >= 0 && low >= 0 && line->size < LARGEST);
-            buffer[line->size++] = (uint8_t)(high * 16 + low);
-        }
-        c = getc(file);
-    }
-    return true;
+    return c <= '9' ? c - '0' : c - 'a' + 10;
 }
 
 static void read_inputs(const char *path) {
     FILE *file = fopen(path, "r");
-    struct bytes line;
-    bool comment;
+    char *line = NULL;
+    size_t room = 0;
     CHECK(file != NULL);
-    while (read_line(file, &line, &comment)) {
-        if (comment) {
+    while (getline(&line, &room, file) >= 0) {
+        if (line[0] == '#' || line[0] == '\n') {
             continue;
         }
+        const size_t size = strspn(line, "0123456789abcdef") / 2;
         struct bytes *more = (struct bytes *)realloc(inputs, (input_count + 1) * sizeof(*inputs));
-        CHECK(more != NULL);
+        CHECK(more != NULL && size <= LARGEST && line[2 * size] == '\n');
         inputs = more;
-        inputs[input_count].size = line.size;
-        inputs[input_count].data = (uint8_t *)exactly(line.size);
-        memcpy(inputs[input_count].data, line.data, line.size);
+        inputs[input_count].size = size;
+        inputs[input_count].data = (uint8_t *)exactly(size);
+        for (size_t i = 0; i < size; i++) {
+            inputs[input_count].data[i] = (uint8_t)(digit(line[2 * i]) << 4 | digit(line[2 * i + 1]));
+        }
         input_count++;
     }
+    free(line);
     fclose(file);
 }
 

@@ -311,8 +311,7 @@ static struct mip_result inner;
 static struct mip_tools_settings_response inner_response;
 
 static void call_again(void *user, const struct mip_field *field, uint32_t arrived) {
-    (void)field;
-    (void)arrived;
+    (void)field, (void)arrived;
     memset(&inner_response, 0xAA, sizeof(inner_response));
     inner = mip_call_tools_settings_read((struct mip_device *)user, 1, MIP_MODE_FAST, &inner_response);
     /* False for its own device: otherwise, a loop in a handler would never end. */
@@ -345,8 +344,7 @@ static void busy(void) {
 static struct mip_request later[2];
 
 static void call_later(void *user, const struct mip_field *field, uint32_t arrived) {
-    (void)field;
-    (void)arrived;
+    (void)field, (void)arrived;
     CHECK(is(mip_call_tools_ping(mip_defer((struct mip_device *)user, &later[1])), MIP_WAITING, 0, MIP_OK));
     CHECK(!mip_device_step((struct mip_device *)user, (const uint8_t *)"\x75", 1)); /* nothing is used in a handler */
     CHECK(((struct mip_device *)user)->parser.length == 0);
@@ -614,9 +612,7 @@ static void tell(void *user, const struct mip_device *of, bool ends) {
 }
 
 static void tell_accel(void *user, const struct mip_field *field, uint32_t arrived) {
-    (void)user;
-    (void)field;
-    (void)arrived;
+    (void)user, (void)field, (void)arrived;
     strcat(told, "a");
 }
 
@@ -648,8 +644,7 @@ static void observers(void) {
 }
 
 static void dawdle(void *user, const struct mip_field *field, uint32_t arrived) {
-    (void)field;
-    (void)arrived;
+    (void)field, (void)arrived;
     ((struct line *)user)->clock += 40;
 }
 

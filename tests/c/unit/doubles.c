@@ -1,29 +1,15 @@
 /* Doubles of four bytes: the conversions against those of a compiler that has both kinds. */
 #include "check.h"
 
-static uint64_t bits_of_double(double value) {
+union wide {
+    double number;
     uint64_t bits;
-    memcpy(&bits, &value, sizeof(bits));
-    return bits;
-}
+};
 
-static uint32_t bits_of_float(float value) {
+union narrow {
+    float number;
     uint32_t bits;
-    memcpy(&bits, &value, sizeof(bits));
-    return bits;
-}
-
-static double double_of(uint64_t bits) {
-    double value;
-    memcpy(&value, &bits, sizeof(value));
-    return value;
-}
-
-static float float_of(uint32_t bits) {
-    float value;
-    memcpy(&value, &bits, sizeof(value));
-    return value;
-}
+};
 
 static bool is_nan_64(uint64_t bits) {
     return (bits & UINT64_C(0x7FFFFFFFFFFFFFFF)) > UINT64_C(0x7FF0000000000000);
@@ -38,7 +24,8 @@ static void narrow(uint64_t bits) {
     if (is_nan_64(bits)) {
         CHECK(is_nan_32(found) && found >> 31 == bits >> 63);
     } else {
-        CHECK(found == bits_of_float((float)double_of(bits)));
+        const union wide given = {.bits = bits};
+        CHECK(found == ((union narrow){(float)given.number}).bits);
     }
 }
 
@@ -47,7 +34,8 @@ static void widen(uint32_t bits) {
     if (is_nan_32(bits)) {
         CHECK(is_nan_64(found) && found >> 63 == bits >> 31);
     } else {
-        CHECK(found == bits_of_double((double)float_of(bits)));
+        const union narrow given = {.bits = bits};
+        CHECK(found == ((union wide){(double)given.number}).bits);
         CHECK(mip_narrow(found) == bits); /* nothing is lost on the way there and back */
     }
 }

@@ -24,9 +24,7 @@ static bool take(void *user, uint8_t *bytes, size_t size, size_t *count) {
 }
 
 static bool put(void *user, const uint8_t *bytes, size_t size) {
-    (void)user;
-    (void)bytes;
-    (void)size;
+    (void)user, (void)bytes, (void)size;
     CHECK(depth > 0);
     return true;
 }
