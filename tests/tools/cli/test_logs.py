@@ -339,6 +339,20 @@ def test_no_log_is_replaced_under_other_conditions(path: Path, capsys: pytest.Ca
     assert run(capsys, "export", path, "-o", "/dev/null", "--format", "csv")[0] == 0
 
 
+def test_what_is_in_several_logs(tmp_path: Path) -> None:
+    """Each has its report; one without packets sets the exit status, whatever its place."""
+    paths = [tmp_path / name for name in ("a.bin", "none.bin", "b.bin")]
+    for path, count in zip(paths, (3, 0, 5)):
+        path.write_bytes(bytes(base.Ping().packet()) * count)
+    for order, reports in ((paths, ["3 packets", "0 packets", "5 packets"]), (paths[:2], ["3 packets", "0 packets"])):
+        code, out, error = mip("info", *order)
+        assert code == 1 and error.startswith(f"mip info: {paths[1]} has no packets")
+        assert [text.partition(", ")[2].splitlines()[0] for text in out.split("\n\n") if ".bin: " in text] == reports
+    code, out, _ = mip("info", paths[0], paths[2], "--json")
+    assert code == 0 and out.count('"file": ') == 2
+    assert mip("info", paths[0], tmp_path / "missing.bin")[0] == 1
+
+
 def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None:
     path = tmp_path / "log.bin"
     with (

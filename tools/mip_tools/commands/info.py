@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from typing import TYPE_CHECKING, Any
 
 from ..binding import SECOND
+from ..errors import Failure
 from ..logs import inputs
 from ..logs.assumed import reason_for_no_date, synchronization
 from ..logs.recognize import no_packets
@@ -32,7 +34,7 @@ has a wrong checksum or is incomplete.
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
-    parser.add_argument("file", metavar="FILE", help="a log; - for standard input")
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a log; - for standard input")
     add_device(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, for programs")
 
@@ -44,19 +46,29 @@ _SPANS = 4
 
 
 def run(options: argparse.Namespace) -> int:
-    with inputs.open_columns(options.file, options.device) as log:
+    status = 0
+    for name in options.files:
+        try:
+            _print_report(name, options.device, options.json)
+        except Failure as failure:
+            if name == options.files[-1]:
+                raise
+            status = failure.status
+            print(f"mip info: {failure}", file=sys.stderr)
+        if not options.json and name != options.files[-1]:
+            print(flush=True)
+    return status
+
+
+def _print_report(name: str, device: str | None, as_object: bool) -> None:
+    with inputs.open_columns(name, device) as log:
         from ..logs.report import report_on
 
         report = report_on(log)
-        empty = None if report.packets else no_packets(options.file, log)
-    if options.json:
-        print(json.dumps(as_json(options.file, report), indent=2))
-    else:
-        for text in report_lines(options.file, report):
-            print(text)
+        empty = None if report.packets else no_packets(name, log)
+    print("\n".join([json.dumps(as_json(name, report), indent=2)] if as_object else report_lines(name, report)))
     if empty:
         raise empty
-    return 0
 
 
 def report_lines(name: str, report: Report) -> list[str]:
