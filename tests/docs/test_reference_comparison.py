@@ -125,20 +125,14 @@ def test_meanings(manual: Manual) -> None:
     """Each parameter that differs on a device has a row that names the device, and nothing else has one."""
     rows = [row for t in tables(manual.page("compare/meanings.md")) for row in t]
     said = {
-        (words(row["Field"]), words(row["Parameter"]), words(row["Difference"]), device)
+        (*(words(row[x]) for x in ("Field", "Parameter", "Difference")), device)
         for row in rows
         for device in DEVICE.findall(row["Devices"])
     }
-    wanted = {
-        (
-            f"{v.field.title} {number(v.field)}",
-            v.parameter.name,
-            seen(describe.variant_text(v.variant, v.parameter, v.field, manual.model)),
-            d.id,
-        )
-        for d in manual.model.devices
-        for v in d.variants
-    }
+    wanted = set()
+    for d, v in ((of, variant) for of in manual.model.devices for variant in of.variants):
+        difference = seen(describe.variant_text(v.variant, v.parameter, v.field, manual.model))
+        wanted.add((f"{v.field.title} {number(v.field)}", v.parameter.name, difference, d.id))
     assert said == wanted
 
 

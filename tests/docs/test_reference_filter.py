@@ -99,9 +99,8 @@ def test_rows(page: browser.Page, site: Path) -> None:
     open_(page, site, "compare/commands.html")
     type_(page, "PPS")
     wanted = [f.full_name for f in commands() if "pps" in f.title.lower()]
-    assert (
-        wanted and shown(page)[: len(wanted)] == wanted
-    )  # then the devices without certain fields that have such a command
+    # Then come the devices without certain fields that have such a command.
+    assert wanted and shown(page)[: len(wanted)] == wanted
     visible = "[...document.querySelectorAll('h2')].filter((heading) => heading.checkVisibility())"
     sets = [s for s in model("real").sets if any(name.startswith(f"{s.name}.") for name in wanted)]
     assert page.run(f"{visible}.map((heading) => heading.textContent)") == [

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 import itertools
 import struct
-import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
+from mip_protocol import Parser
+from mip_simulator.device import VirtualDevice
 from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.model import guides
 from mipgen.model.guides import Sequence, Step, Stream
-from support import ROOT, model
-
-sys.path.insert(0, str(ROOT / "generated/python"))
-
-from mip_protocol import Parser
-from mip_simulator.device import VirtualDevice
+from support import model
 
 #: Seconds for which data are counted.
 LONG = 3.0

@@ -22,30 +22,11 @@ FALSE_SYNC = b"ue\x80\x20"  # a header, whose bytes are those of the packets beh
 def stream() -> bytes:
     """Packets of several sets with everything between them that may be there."""
     ping = codec.build(model("real"), 0x01, [(0x01, b"")])
-    between = [
-        b"\xff\x00garbage",
-        NMEA,
-        b"",
-        FALSE_SYNC,
-        broken(accel(3.0)),
-        b"u",
-        b"ue",
-        b"ue\x00\x00",
-        accel(4.0)[:9],
-    ]
-    packets = [
-        ping,
-        accel(0.5),
-        acknowledge(0x01, 0x01, 0),
-        accel(float("nan")),
-        ping,
-        accel(1.0),
-        accel(2.0),
-        ping,
-        ping,
-    ]
-    # packets behind a false header: as many bytes as it asks for
-    return b"".join(gap + p for gap, p in zip(between, packets, strict=True)) + accel(5.0) * 3
+    parts = [
+        b"\xff\x00garbage", ping, NMEA, accel(0.5), acknowledge(0x01, 0x01, 0), FALSE_SYNC, accel(float("nan")),
+        broken(accel(3.0)), ping, b"u", accel(1.0), b"ue", accel(2.0), b"ue\x00\x00", ping, accel(4.0)[:9], ping,
+    ]  # fmt: skip
+    return b"".join(parts) + accel(5.0) * 3  # behind a false header: as many bytes as it asks for
 
 
 def checksums(data: bytes) -> list[str]:
@@ -55,27 +36,21 @@ def checksums(data: bytes) -> list[str]:
 
 def found(frames: list[Element]) -> list[str]:
     """The same for the packets that are shown with a right checksum."""
-    return [
-        sum_.get("value", "")
-        for frame in frames
-        for sum_ in frame.iter("field")
-        if sum_.get("name") == "mip.checksum" and shown(sum_, "mip.checksum.status") == ["1"]
-    ]
+    sums = [part for frame in frames for part in frame.iter("field") if part.get("name") == "mip.checksum"]
+    return [part.get("value", "") for part in sums if shown(part, "mip.checksum.status") == ["1"]]
 
 
 def skipped(frames: list[Element]) -> int:
-    return sum(
-        int(part.get("size", 0))
-        for frame in frames
-        for part in frame.iter("field")
-        if part.get("name") == "mip.skipped"
-    )
+    parts = [part for frame in frames for part in frame.iter("field") if part.get("name") == "mip.skipped"]
+    return sum(int(part.get("size", 0)) for part in parts)
 
 
-def shown_broken(frames: list[Element]) -> int:
-    """The bytes of the packets that are shown with a wrong checksum."""
+def check(frames: list[Element], data: bytes) -> None:
+    """All packets are shown; each other byte is skipped, or in a packet that is shown with a wrong checksum."""
+    assert found(frames) == checksums(data)
     wrong = [proto for frame in frames for proto in frame if shown(proto, "mip.checksum.status") == ["0"]]
-    return sum(int(proto.get("size", 0)) for proto in wrong if proto.get("name") == "mip_protocol")
+    damaged = sum(int(proto.get("size", 0)) for proto in wrong if proto.get("name") == "mip_protocol")
+    assert skipped(frames) + damaged == expected_parse(data)["skipped"]
 
 
 # --------------------------------------------------------------------------- TCP
@@ -83,11 +58,8 @@ def shown_broken(frames: list[Element]) -> int:
 
 @pytest.mark.parametrize("size", [1, 5, 23, 101])
 def test_tcp_segments_of_any_size(size: int, tmp_path: Path) -> None:
-    data = stream()
-    segments = [(True, part) for part in captures.chunks(data, size)]
-    frames = trees(tmp_path, captures.tcp(segments, PORT), "-o", f"mip_protocol.tcp_ports:{PORT}")
-    assert found(frames) == checksums(data)
-    assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+    segments = [(True, part) for part in captures.chunks(stream(), size)]
+    check(trees(tmp_path, captures.tcp(segments, PORT), "-o", f"mip_protocol.tcp_ports:{PORT}"), stream())
 
 
 def test_tcp_cut_once_at_every_place(tmp_path: Path) -> None:
@@ -101,33 +73,20 @@ def test_tcp_cut_once_at_every_place(tmp_path: Path) -> None:
     for frame in trees(tmp_path, captures.capture(captures.RAW_IP, frames), "-o", ports):
         streams.setdefault(shown(frame, "tcp.stream")[0], []).append(frame)
     assert len(streams) == len(places)
-    for number, parts in streams.items():
-        assert found(parts) == checksums(data), number
-        assert skipped(parts) + shown_broken(parts) == expected_parse(data)["skipped"], number
+    for parts in streams.values():
+        check(parts, data)
 
 
-def test_tcp_is_recognized_by_a_packet(tmp_path: Path) -> None:
-    data = b"\0" * 7 + accel(0.5) * 3
-    frames = trees(tmp_path, captures.tcp([(True, part) for part in captures.chunks(data, 50)], 45678))
-    assert found(frames) == checksums(data)
-
-
-@pytest.mark.parametrize("size", [6, 7, 19])
-def test_tcp_is_recognized_by_the_begin_of_a_packet(size: int, tmp_path: Path) -> None:
-    data = accel(0.5) * 3
+@pytest.mark.parametrize(("before", "size"), [(7, 50), (0, 6), (0, 7), (0, 19)])
+def test_tcp_is_recognized_by_a_packet_or_its_begin(before: int, size: int, tmp_path: Path) -> None:
+    data = bytes(before) + accel(0.5) * 3
     frames = trees(tmp_path, captures.tcp([(True, part) for part in captures.chunks(data, size)], 45678))
     assert found(frames) == checksums(data)
 
 
 def test_other_streams_are_left_alone(tmp_path: Path) -> None:
-    others = [
-        b"ue\x00\x00\x00\x00\x00\x00",
-        b"GET / HTTP/1.1\r\n\r\n",
-        b"ue\x80\x0e\xff\x04" + bytes(30),
-        bytes(100),
-        b"u",
-    ]
-    others += [broken(accel(1.0))[:5], whole(bytes((0x50, 4, 4, 1, 0, 0)))]
+    others = [b"ue\x00\x00\x00\x00\x00\x00", b"GET / HTTP/1.1\r\n\r\n", b"ue\x80\x0e\xff\x04" + bytes(30), bytes(100)]
+    others += [b"u", broken(accel(1.0))[:5], whole(bytes((0x50, 4, 4, 1, 0, 0)))]
     frames = [f for i, data in enumerate(others) for f in captures.connection([(True, data)], 45678 + i)]
     frames += [captures.udp(data, 45678 + i) for i, data in enumerate(others)]
     capture = captures.capture(captures.RAW_IP, frames)
@@ -150,9 +109,10 @@ def test_decode_as(tmp_path: Path) -> None:
 def test_datagrams_are_whole(tmp_path: Path) -> None:
     """What is behind a header without a packet is found; nothing is carried over."""
     data = stream() + FALSE_SYNC + accel(1.0) + accel(0.5)[:7]
-    frames = trees(tmp_path, captures.datagrams([data, accel(0.5)[7:], data], 45678))
-    assert found(frames) == checksums(data) * 2
-    assert skipped(frames[:1]) + shown_broken(frames[:1]) == expected_parse(data)["skipped"]
+    first, cut, again = trees(tmp_path, captures.datagrams([data, accel(0.5)[7:], data], 45678))
+    for frame in (first, again):
+        check([frame], data)
+    assert not found([cut])
 
 
 # --------------------------------------------------------------------------- serial lines
@@ -160,11 +120,8 @@ def test_datagrams_are_whole(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("size", [1, 3, 20, 1000])
 def test_serial_chunks_of_any_size(size: int, tmp_path: Path) -> None:
-    data = stream()
     for passes in ((), ("-2",)):
-        frames = trees(tmp_path, captures.serial(captures.chunks(data, size)), *passes)
-        assert found(frames) == checksums(data)
-        assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+        check(trees(tmp_path, captures.serial(captures.chunks(stream(), size)), *passes), stream())
 
 
 def test_a_chunk_says_that_its_packet_goes_on(tmp_path: Path) -> None:
@@ -189,8 +146,7 @@ def test_a_log_is_a_capture(tmp_path: Path) -> None:
     for data in (stream(), NMEA + stream() + FALSE_SYNC, stream() * 40, accel(0.5) + b"x" * 9000 + accel(1.0) + b"u"):
         for passes in ((), ("-2",)):
             frames = trees(tmp_path, data, *passes)
-            assert found(frames) == checksums(data)
-            assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+            check(frames, data)
             assert all(len(found([frame])) <= 1 for frame in frames)
 
 
@@ -236,25 +192,24 @@ def conversation() -> list[tuple[bool, bytes]]:
     ]  # fmt: skip
 
 
-LINKS = {1: ["3", "4"], 5: ["6"], 7: ["9"], 8: ["10"]}
-BACK = {3: ["1"], 4: ["1", "1"], 6: ["5"], 9: ["7"], 10: ["8"]}  # 4: the acknowledge and the response
+LINKS = {1: [3, 4], 5: [6], 7: [9], 8: [10]}
+BACK = {3: [1], 4: [1, 1], 6: [5], 9: [7], 10: [8]}  # 4: the acknowledge and the response
 
 
 @pytest.mark.parametrize("transport", ["serial", "tcp", "udp"])
 def test_answers_and_requests_are_linked(transport: str, tmp_path: Path) -> None:
     sent = conversation()
-    first = 4 if transport == "tcp" else 1  # behind the handshake
+    shift = 3 if transport == "tcp" else 0  # behind the handshake
     if transport == "serial":
         capture = captures.serial([data for _, data in sent])
     elif transport == "tcp":
         capture = captures.tcp(sent, PORT)
     else:
         capture = captures.capture(captures.RAW_IP, (captures.udp(data, PORT, way) for way, data in sent))
-    frames = trees(tmp_path, capture, "-2")[first - 1 :]
+    frames = trees(tmp_path, capture, "-2")[shift:]
     for number, frame in enumerate(frames, 1):
-        shift = first - 1
-        assert shown(frame, "mip.answer_in") == [str(int(n) + shift) for n in LINKS.get(number, [])], number
-        assert shown(frame, "mip.request_in") == [str(int(n) + shift) for n in BACK.get(number, [])], number
+        assert shown(frame, "mip.answer_in") == [str(n + shift) for n in LINKS.get(number, [])], number
+        assert shown(frame, "mip.request_in") == [str(n + shift) for n in BACK.get(number, [])], number
     times = [float(time) for frame in frames for time in shown(frame, "mip.answer_time")]
     assert times == pytest.approx([0.002, 0.003, 0.003, 0.001, 0.002, 0.002])
     assert shown(frames[5], "mip.protocol.acknowledge.code") == ["3"]
@@ -317,11 +272,10 @@ def test_no_bytes_are_an_error_of_the_dissector(spec: str, tmp_path: Path) -> No
     parts += [chance.randbytes(chance.randrange(1, 300)) for _ in range(200)]
     parts += [b"ue" + chance.randbytes(chance.randrange(60)) for _ in range(400)]
     parts += [whole(bytes((chance.choice((1, 12, 128, 130, 255, 77)), n)) + chance.randbytes(n)) for n in range(256)]
+    segments = [(True, p) for p in parts if p]
     assert trees(tmp_path, captures.serial(parts), "-2", spec=spec)
     assert trees(tmp_path, captures.datagrams(parts, PORT), "-o", f"mip_protocol.udp_ports:{PORT}", spec=spec)
-    assert trees(
-        tmp_path, captures.tcp([(True, p) for p in parts if p], PORT), "-o", f"mip_protocol.tcp_ports:{PORT}", spec=spec
-    )
+    assert trees(tmp_path, captures.tcp(segments, PORT), "-o", f"mip_protocol.tcp_ports:{PORT}", spec=spec)
 
 
 def whole(head_and_payload: bytes) -> bytes:

@@ -70,6 +70,11 @@ def check_float(raw: bytes, text: str) -> None:
         assert "nan" in text.lower()
 
 
+def texts(frame: Element) -> list[str]:
+    """What is shown of each part."""
+    return [part.get("showname", "") for part in frame.iter("field")]
+
+
 def check_names(p: m.Parameter, value: Any, name: str, parts: list[Element], frame: Element) -> None:
     if isinstance(p.element, m.Enum):
         known = next((v.name for v in p.element.values if v.value == value), "Unknown")
@@ -107,12 +112,12 @@ def test_a_device_names_values_and_bits_in_its_way(spec: str, tmp_path: Path) ->
             packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
         frames = trees(tmp_path, captures.serial(packets), "-o", f"mip_protocol.device:{device.title}", spec=spec)
         for (_, p, t), frame in zip(mine, frames, strict=True):
-            texts = [part.get("showname", "") for part in frame.iter("field")]
+            said = texts(frame)
             if isinstance(t, m.Enum):
-                assert any(text.startswith(f"{p.name}: ") and f"({t.values[0].name})" in text for text in texts), texts
+                assert any(text.startswith(f"{p.name}: ") and f"({t.values[0].name})" in text for text in said), said
             else:
                 assert isinstance(t, m.Bitfield)
-                assert {f"{b.name}: true" for b in t.bits if b.width == 1} <= set(texts)
+                assert {f"{b.name}: true" for b in t.bits if b.width == 1} <= set(said)
 
 
 def flagged() -> list[bytes]:
@@ -163,22 +168,17 @@ def test_the_device_that_names_itself_in_the_capture(tmp_path: Path) -> None:
 @each_spec
 def test_a_sibling_names_values(spec: str, tmp_path: Path) -> None:
     of, seen = model(spec), 0
-    for f in of.fields:
-        for p in f.parameters:
-            by_sibling = [v for v in p.readings if not v.by_device and isinstance(v.type, m.Enum)]
-            if not by_sibling:
-                continue
-            values = next((x for g, x in random_values(spec) if g is f and p.name in x), {})
-            packets = []
-            for v in by_sibling:
-                assert isinstance(v.type, m.Enum)
-                given = {**values, v.by: v.value, p.name: v.type.values[-1].value}
-                packets.append(codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, given))]))
-            for v, frame in zip(by_sibling, trees(tmp_path, captures.serial(packets), spec=spec), strict=True):
-                texts = [part.get("showname", "") for part in frame.iter("field")]
-                assert isinstance(v.type, m.Enum)
-                assert f"{p.name}: {v.type.values[-1].value} ({v.type.values[-1].name})" in texts
-                seen += 1
+    for f, p in [(g, p) for g in of.fields for p in g.parameters]:
+        by_sibling = [(v, v.type.values[-1]) for v in p.readings if not v.by_device and isinstance(v.type, m.Enum)]
+        values = next((x for g, x in random_values(spec) if by_sibling and g is f and p.name in x), {})
+        packets = []
+        for v, last in by_sibling:
+            data = codec.encode(f, {**values, v.by: v.value, p.name: last.value})
+            packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
+        frames = trees(tmp_path, captures.serial(packets), spec=spec) if packets else []
+        for (_, last), frame in zip(by_sibling, frames, strict=True):
+            assert f"{p.name}: {last.value} ({last.name})" in texts(frame)
+            seen += 1
     assert seen
 
 
@@ -301,20 +301,14 @@ def test_the_commands_print_what_the_page_says(tmp_path: Path) -> None:
     for tool in ("tshark", "text2pcap", "od", "sed"):
         need(tool)
     shutil.copytree(ROOT / "generated/wireshark", tmp_path / "generated/wireshark")
-    environment = {
-        **os.environ,
-        "HOME": str(tmp_path),
-        "XDG_CONFIG_HOME": str(tmp_path / ".config"),
-        "LC_ALL": "C.UTF-8",
-    }
+    own = {"HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path / ".config"), "LC_ALL": "C.UTF-8"}
+    options: dict[str, Any] = {"cwd": tmp_path, "env": os.environ | own, "capture_output": True, "text": True}
     blocks = re.findall(r"```(sh|text)\n(.*?)```", PAGE, re.S)
     assert [kind for kind, _ in blocks].count("text") == len(blocks) // 2
     printed: list[str] = []
     for kind, text in blocks:
         if kind == "sh":
-            done = subprocess.run(
-                ["sh", "-e"], input=text, capture_output=True, text=True, cwd=tmp_path, env=environment
-            )
+            done = subprocess.run(["sh", "-e"], input=text, **options)
             assert done.returncode == 0, text + done.stderr
             printed = words(done.stdout)
         else:

@@ -215,10 +215,8 @@ def test_only_what_differs_is_written(at: At, tmp_path: Path) -> None:
 
 def test_the_reason_for_a_rejection_has_its_code() -> None:
     command, code = mip_3dm.SensorRange.read(mip_3dm.SensorRangeType.ACCEL), AckCode.INVALID_PARAMETER
-    assert (
-        nack_text(Refused(command, code, cause=Cause(0, 0x80, 4, "absent", "a field")))
-        == "invalid_parameter (3): a field"
-    )
+    cause = Cause(0, 0x80, 4, "absent", "a field")
+    assert nack_text(Refused(command, code, cause=cause)) == "invalid_parameter (3): a field"
     assert nack_text(Refused(command, code)).startswith("invalid_parameter (3): ")
     assert nack_text(Refused(command, AckCode(99))) == "code 99"
 

@@ -41,11 +41,8 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
     for words, required in (("send", "PORT"), ("export", "FILE, -o/--output")):
         assert run(capsys, words)[2].endswith(f"the following arguments are required: {required}\n")
-    assert run(capsys, "send", "PORT") == (
-        2,
-        "",
-        "mip send: the command is missing; `mip fields` lists the sets, `mip fields SET` their commands\n",
-    )
+    said = "the command is missing; `mip fields` lists the sets, `mip fields SET` their commands"
+    assert run(capsys, "send", "PORT") == (2, "", f"mip send: {said}\n")
     _, _, error = run(capsys, "dump", "x", "--fast")
     assert error.splitlines()[-1] == "mip dump: error: --fast is not recognized; see --help"
 
@@ -277,10 +274,8 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     for text, field in first.items():
         assert field in run(capsys, "fields", "--search", text)[1].splitlines()[0], text
         assert run(capsys, "fields", "--search", *text.split()) == run(capsys, "fields", "--search", text)
-    assert (
-        "mip send PORT 3dm.message_format write descriptor_set descriptors"
-        in run(capsys, "fields", "3dm.message_format")[1]
-    )
+    out = run(capsys, "fields", "3dm.message_format")[1]
+    assert "mip send PORT 3dm.message_format write descriptor_set descriptors" in out
 
 
 def test_every_field_is_shown(capsys: pytest.CaptureFixture[str]) -> None:

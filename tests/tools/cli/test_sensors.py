@@ -169,7 +169,6 @@ def test_motions() -> None:
     assert allan.motion(noise, 100, "rad/s") == "" and allan.motion(noise + 1, 100, "g") == ""
     bumped, waving = noise.copy(), noise + np.sin(np.arange(6000) / 300)[:, None] * 0.1
     bumped[3000:3100] += 0.1
-    assert (
-        allan.motion(bumped, 100, "g/s") == "moves after 30 s" and allan.motion(waving, 100, "") == "moves all the time"
-    )
+    assert allan.motion(bumped, 100, "g/s") == "moves after 30 s"
+    assert allan.motion(waving, 100, "") == "moves all the time"
     assert allan.motion(noise + 1.2, 100, "g").startswith("moves: it measures 1.2 g")

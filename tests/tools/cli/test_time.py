@@ -72,6 +72,11 @@ def dates(begin: float = DATE) -> list[float | None]:
     return [begin + t for t in TIMES]
 
 
+def timeless(packets: list[bytes], why: str, cause: str) -> Case:
+    """A log without any valid time."""
+    return Case(packets, clock="", rate=None, info=(f"no date: {why}",), doctor=(cause,))
+
+
 def cases() -> dict[str, Case]:
     on = [12.5 + t for t in TIMES]  # since power-on
     week = [TOW + t for t in TIMES]
@@ -79,9 +84,11 @@ def cases() -> dict[str, Case]:
     late = [i >= third for i in range(COUNT)]
     lost = [third <= i < 2 * third for i in range(COUNT)]
     restarted = [5 + t if t < 0.3 else 0.7 + t - 0.3 for t in TIMES]
-    unsynchronized = ("no date: not synchronized",)
+    unsynchronized, never = ("no date: not synchronized",), ("not synchronized",)
+    undated = ("no date: no timestamp with a date is in the packets",)
+    none_is_valid = "60 timestamps of which none is valid"
     angles = (0x05, struct.pack(">3fH", 0, 0, 0, 0))
-    undated = {
+    in_no_week = {
         "never synchronized": (0x12, 0, 0), "time of week without a week": (0xD3, 0, 1),
         "week without a time of week": (0xD3, WEEK, 2), "week 0 with flags set": (0xD3, 0, 3),
     }  # fmt: skip
@@ -92,32 +99,18 @@ def cases() -> dict[str, Case]:
             sensed([stamp(0x12, t, WEEK, 0x1D if i else 7)] for i, t in enumerate(week)),
             [None, *dates()[1:]],
             week,
-            doctor=("not synchronized",),
+            doctor=never,
         ),
         **{
-            name: Case(
-                sensed([stamp(number, t, week, flags)] for t in on),
-                device=on,
-                info=unsynchronized,
-                doctor=("not synchronized",),
-            )
-            for name, (number, week, flags) in undated.items()
+            name: Case(sensed([stamp(number, t, w, flags)] for t in on), device=on, info=unsynchronized, doctor=never)
+            for name, (number, w, flags) in in_no_week.items()
         },
-        "no timestamps": Case(
-            sensed([] for _ in TIMES), clock="", rate=None, info=("no date: no timestamps",), doctor=("no timestamps",)
-        ),
-        "only intervals": Case(
-            sensed([(0xD6, struct.pack(">Q", 10_000_000))] for _ in TIMES),
-            clock="",
-            rate=None,
-            info=("no date: no timestamps",),
-            doctor=("no timestamps",),
+        "no timestamps": timeless(sensed([] for _ in TIMES), "no timestamps", "no timestamps"),
+        "only intervals": timeless(
+            sensed([(0xD6, struct.pack(">Q", 10_000_000))] for _ in TIMES), "no timestamps", "no timestamps"
         ),
         "only the reference clock": Case(
-            sensed([reference(t)] for t in on),
-            device=on,
-            clock="reference",
-            info=("no date: no timestamp with a date is in the packets",),
+            sensed([reference(t)] for t in on), device=on, clock="reference", info=undated
         ),
         "reference clock and no date": Case(
             sensed([stamp(0xD3, 0, 0, 0), reference(t)] for t in on),
@@ -126,39 +119,17 @@ def cases() -> dict[str, Case]:
             info=("no date: not synchronized",),
             doctor=("not synchronized", "stuck"),
         ),
-        "not a number": Case(
-            sensed([stamp(0xD3, math.nan, 0, 0)] for _ in TIMES),
-            clock="",
-            rate=None,
-            info=("no date: 60 timestamps of which none is valid",),
-            doctor=("no valid time",),
-        ),
-        "time of week that is in no week": Case(
-            sensed([stamp(0xD3, 604_801 + t, WEEK, 3)] for t in TIMES),
-            clock="",
-            rate=None,
-            info=("no date: 60 timestamps of which none is valid",),
-            doctor=("no valid time",),
+        "not a number": timeless(sensed([stamp(0xD3, math.nan, 0, 0)] for _ in TIMES), none_is_valid, "no valid time"),
+        "time of week that is in no week": timeless(
+            sensed([stamp(0xD3, 604_801 + t, WEEK, 3)] for t in TIMES), none_is_valid, "no valid time"
         ),
         "week far in the future": Case(
-            sensed([stamp(0xD3, w, 0xFFFF, 3)] for w in week),
-            device=week,
-            info=unsynchronized,
-            doctor=("not synchronized",),
+            sensed([stamp(0xD3, w, 0xFFFF, 3)] for w in week), device=week, info=unsynchronized, doctor=never
         ),
         "only the external clock": Case(
-            sensed([external(t, 1)] for t in on),
-            device=on,
-            clock="external",
-            info=("no date: no timestamp with a date is in the packets",),
+            sensed([external(t, 1)] for t in on), device=on, clock="external", info=undated
         ),
-        "external clock without pulses": Case(
-            sensed([external(t, 0)] for t in on),
-            clock="",
-            rate=None,
-            info=("no date: ",),
-            doctor=("no valid time",),
-        ),
+        "external clock without pulses": timeless(sensed([external(t, 0)] for t in on), "", "no valid time"),
         "receiver without a fix": Case(
             [
                 one
@@ -197,7 +168,7 @@ def cases() -> dict[str, Case]:
             [date if ok else None for ok, date in zip(late, dates())],
             on,
             info=("(device clock)", "date: 2024-02-07T23:59:42.200Z to "),
-            doctor=("not synchronized",),
+            doctor=never,
         ),
         "synchronization lost, time of week goes on": Case(
             sensed([stamp(0x12, w, WEEK, 1 if gone else 7)] for gone, w in zip(lost, week)),
@@ -259,7 +230,7 @@ def cases() -> dict[str, Case]:
         "next week without a date": Case(
             sensed([stamp(0xD3, (604_799.8 + t) % 604_800, 0, 1)] for t in TIMES),
             device=[604_799.8 + t for t in TIMES],
-            doctor=("not synchronized",),
+            doctor=never,
         ),
     }
 
