@@ -168,38 +168,26 @@ def built(kind: Any, values: dict[str, Any]) -> Any:
     known = {p.name for p in parameters if p.kind != "constant"}
     if not known >= values.keys():
         raise EncodeError("unknown", str(values.keys() - known))
+    required = getattr(kind, "REQUIRED", None)
     given: dict[str, Any] = {}
-    for p in parameters:
+    for number_, p in enumerate(parameters):
         if p.kind == "constant":
             continue
-        if p.name not in values:
-            given.setdefault(p.attribute, None)
-        elif p.kind == "counter":
+        if p.kind == "counter":
             array = next(q.name for q in parameters if q.attribute == p.counts)
-            if array not in values or len(values[array]) != values[p.name]:
+            if p.name in values and (array not in values or len(values[array]) != values[p.name]):
                 raise EncodeError("count", p.name)
+            if p.name not in values and array in values:
+                raise EncodeError("missing", p.name)
+        elif p.name not in values:
+            if p.kind == "switch" and (required is None or required.get(values.get("function"), 0) >= number_):
+                raise EncodeError("missing", p.name)  # an empty union is None, like an absent one
+            given.setdefault(p.attribute, None)
         elif p.kind == "switch":
             given[p.attribute] = member(p, values[p.name], given[p.tag])
         else:
             given[p.attribute] = parsed(p, values[p.name])
-    for p in parameters:
-        if p.kind == "counter":
-            given.pop(p.attribute, None)
-            array = next(q for q in parameters if q.attribute == p.counts)
-            if p.name not in values and array.name in values:
-                raise EncodeError("missing", p.name)
-    check_presence(kind, parameters, values)
     return kind(**given)
-
-
-def check_presence(kind: Any, parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
-    """An empty union is None, like an absent one: gaps and missing ones are found here."""
-    required = getattr(kind, "REQUIRED", None)
-    for number_, p in enumerate(parameters):
-        if p.kind != "switch" or p.name in values:
-            continue
-        if required is None or required.get(values.get("function"), 0) >= number_:
-            raise EncodeError("missing", p.name)
 
 
 def member(p: Parameter, value: dict[str, Any], tag: Any) -> Any:

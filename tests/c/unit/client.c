@@ -49,9 +49,9 @@ static void answered(void) {
     struct mip_tools_settings_response response;
     struct mip_tools_settings read;
     mip_tools_settings_read(&read, 1, MIP_MODE_FAST);
+    memset(&response, 0xAA, sizeof(response));
     fresh();
-    add(&r, &mip_tools_settings_command, &read, 0);
-    expect(&r, &mip_tools_settings_response_codec, &response);
+    CHECK(mip_send_tools_settings(&client, &r, &packet, &read, &response, 0) == MIP_OK && response.baud == 0);
     CHECK(r.result.outcome == MIP_WAITING && !RECEIVE(0x80, "\x04\xF1\x02\0"));
     CHECK(is_packet(mip_builder_finish(&packet), "\x75\x65\x01\x05\x05\x02\x02\x01\x01\xEB\x94", 11));
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
