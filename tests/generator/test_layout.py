@@ -140,6 +140,7 @@ def test_a_part_is_what_it_holds() -> None:
     assert isinstance(both, m.Struct)
     for made, right in ((found.parameters, written.parameters), (both.parameters, written.parameters[1:])):
         assert len(made) == len(right) and all(p.alike(q) for p, q in zip(made, right, strict=True))
+    assert not any(p.alike(replace(p, description="Another.")) for p in written.parameters)
 
 
 def test_a_response_does_not_take_the_valid_flag_of_its_command() -> None:
