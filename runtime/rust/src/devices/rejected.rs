@@ -119,17 +119,9 @@ impl Rejected {
     /// Like [`Rejected::of`], for an encoded command.
     #[must_use]
     pub fn find(command: &RawField<'_>, known: &Known<'_>) -> Option<Self> {
-        let own = |found: &&([u8; 2], [u8; 2])| found.0 == [command.set.0, command.descriptor];
-        let mut others = ALTERNATIVES.iter().filter(own).map(|(_, other)| *other);
-        if known.sends(command.set, command.descriptor) == Support::No {
-            let has = |[set, descriptor]: &[u8; 2]| {
-                let support = known.sends(DescriptorSet(*set), *descriptor);
-                support != Support::No && support != Support::Unknown
-            };
-            if let Some([set, descriptor]) = others.find(has) {
-                let (reason, set, profile) = (Rejection::OtherCommand, DescriptorSet(set), known.profile);
-                return Some(Self { reason, index: 0, set, descriptor, count: 0, most: None, profile });
-            }
+        if let Some((set, descriptor)) = Self::other_command(command, known) {
+            let (reason, profile) = (Rejection::OtherCommand, known.profile);
+            return Some(Self { reason, index: 0, set, descriptor, count: 0, most: None, profile });
         }
         REASONS.iter().find_map(|reason| {
             let lists = LISTINGS.iter().filter(|list| list.is_in(command));
@@ -138,6 +130,19 @@ impl Rejected {
             let Item { index, set, descriptor, count, most, .. } = item;
             let (reason, profile) = (*reason, known.profile);
             Some(Self { reason, index, set, descriptor, count, most, profile })
+        })
+    }
+
+    /// Finds the command that a device has instead of one that it lacks.
+    fn other_command(command: &RawField<'_>, known: &Known<'_>) -> Option<(DescriptorSet, u8)> {
+        if known.sends(command.set, command.descriptor) != Support::No {
+            return None;
+        }
+        let key = [command.set.0, command.descriptor];
+        let own = ALTERNATIVES.iter().filter(|(lacking, _)| *lacking == key);
+        let mut others = own.map(|(_, [set, descriptor])| (DescriptorSet(*set), *descriptor));
+        others.find(|(set, descriptor)| {
+            !matches!(known.sends(*set, *descriptor), Support::No | Support::Unknown)
         })
     }
 }
