@@ -42,7 +42,7 @@ pub fn valid(_: &str, _: Option<&Profile>, data: &[u8]) -> Vec<String> {
 @cache
 def program(spec: str, families: tuple[str, ...] = (), source: str = "") -> Path:
     """A program that needs no sets for times, and some for the names of rejected fields and commands."""
-    name = f"times{'_and_validity' * bool(families)}"
+    name = f"times_{spec}{'_and_validity' * bool(families)}"
     families = families or ("base", "filter_data", "mip_3dm", "sensor") * (spec == "real")
     source = source or (NAMES if spec == "real" else NONE)
     features = ", ".join(f'"{f}"' for f in ("std", "devices", "registry", *families))
