@@ -15,6 +15,7 @@ from pathlib import Path
 
 import crates
 import pytest
+from c_build import run
 from mipgen import model as m
 from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
@@ -112,14 +113,6 @@ def broken(manual: Manual, f: m.Field) -> list[bytes]:
     payloads = [bytes([n + 1, f.descriptor]) + data[: n - 1] for n in lengths] + [cut]
     heads = [bytes((*manual.model.protocol.sync, number, len(x))) + x for x in payloads]
     return [head + codec.checksum(head) for head in heads]
-
-
-def run(*command: str | Path, **environment: str) -> str:
-    done = subprocess.run(
-        [str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment}, check=False
-    )
-    assert done.returncode == 0, f"{' '.join(map(str, command))[:300]}\n{done.stdout[-2000:]}{done.stderr[-6000:]}"
-    return done.stdout
 
 
 def check(manual: Manual, output: str) -> None:

@@ -18,6 +18,7 @@ from urllib.parse import unquote
 
 import browser
 import pytest
+from c_build import run
 from mipgen import model as m
 from mipgen.base.cache import key as cache_key
 from mipgen.emit import output
@@ -449,8 +450,7 @@ def test_a_program_becomes_a_complete_file(page: browser.Page, name: str, tmp_pa
             flags = ["-std=c99"] if language == "c" else ["-std=c++17"]
             folders = [f"-I{ROOT}/generated/c/{x}" for x in ("src", "ports")]
             command = ["cc" if language == "c" else "c++", *flags, "-fsyntax-only", *folders, tmp_path / file]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-            assert done.returncode == 0, done.stderr
+            run(*command)
 
 
 @in_browser

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from c_build import run
 from mipgen.targets.markdown.start import STARTS, Start
 from reference import manual_of
-from support import ROOT, need, packaging
+from support import ROOT, need, packaging, simulated
 
 VALUES = re.compile(r"\s*-?\d+\.\d+\s+-?\d+\.\d+\s+-(?:0\.9|1\.0)\d+ g")
 
@@ -31,17 +32,19 @@ def section(start: Start) -> dict[str, list[str]]:
 def device() -> Iterator[str]:
     """A virtual device, started as the page says, at another port; HOST:PORT."""
     page = manual_of("real").pages["docs/start.md"]
-    command = re.findall(r"^mip (simulate .*) 5005$", page, re.M)[0].split()
-    environment = {**os.environ, "PYTHONPATH": f"{ROOT}/tools{os.pathsep}{ROOT}/generated/python"}
-    running = subprocess.Popen(
-        [sys.executable, "-m", "mip_tools", *command, "0"], stdout=subprocess.PIPE, text=True, env=environment
-    )
-    try:
+    name, *options = re.findall(r"^mip simulate (.*) 5005$", page, re.M)[0].split()
+    with simulated(*options, "0", device=name) as place:
+        yield place
+
+
+def first_lines(count: int, command: str, folder: Path, environment: dict[str, str]) -> list[str]:
+    """What a program prints first, which would go on."""
+    words = ["sh", "-ec", f"exec {command}"]
+    with subprocess.Popen(words, cwd=folder, env=environment, stdout=subprocess.PIPE, text=True) as running:
         assert running.stdout is not None
-        yield "localhost:" + running.stdout.readline().strip().rpartition(":")[2]
-    finally:
+        lines = [running.stdout.readline() for _ in range(count)]
         running.kill()
-        running.wait()
+    return lines
 
 
 @pytest.mark.parametrize(
@@ -62,21 +65,14 @@ def test_get_started(start: Start, device: str, tmp_path: Path) -> None:
         environment["PYTHONPATH"] = f"{ROOT}/generated/python"
         launch = launch.replace("python ", f"{sys.executable} -u ", 1)
     else:
-        done = subprocess.run(["sh", "-ec", install], cwd=folder, env=environment, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
+        run("sh", "-ec", install, cwd=folder, **environment)
     place = folder / start.file
     place.parent.mkdir(exist_ok=True)
     place.write_text(program)
     *build, last = launch.replace("localhost:5005", device).strip().splitlines()
     for command in build:
-        done = subprocess.run(["sh", "-ec", command], cwd=folder, env=environment, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-    with subprocess.Popen(
-        ["sh", "-ec", f"exec {last}"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
-    ) as running:
-        assert running.stdout is not None
-        lines = [running.stdout.readline() for _ in range(4)]
-        running.kill()
+        run("sh", "-ec", command, cwd=folder, **environment)
+    lines = first_lines(4, last, folder, environment)
     assert lines[0].strip().endswith("3DM-CV7-GNSS/INS"), lines
     assert all(VALUES.search(line) for line in lines[1:]), lines
     for name, said in (("command", "acknowledged"), ("data", "0.99|1.00|12 bytes")):
@@ -104,15 +100,9 @@ def whole_program(language: str, kind: str, said: str, folder: Path, environment
     name, build, launch = WHOLE[language]
     (folder / name).parent.mkdir(exist_ok=True)
     (folder / name).write_text(program)
-    done = subprocess.run(["sh", "-ec", build], cwd=folder, env=environment, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    run("sh", "-ec", build, cwd=folder, **environment)
     if not launch:
         return
     place = f"tcp:{device}" if language == "rust" else device
-    with subprocess.Popen(
-        ["sh", "-ec", f"exec {launch} {place} 2>&1"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
-    ) as running:
-        assert running.stdout is not None
-        line = running.stdout.readline()
-        running.kill()
+    (line,) = first_lines(1, f"{launch} {place} 2>&1", folder, environment)
     assert re.search(said, line), (language, kind, line)

@@ -8,7 +8,6 @@ and JavaScript, `timed_packets.cases_of_devices` has the flags of every model.
 from __future__ import annotations
 
 import json
-import subprocess
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,6 +20,7 @@ from typing import Any
 import mip_tools
 import numpy as np
 import pytest
+from c_build import run
 from mip_protocol import Parser, base, mip_3dm, types
 from mip_simulator import VirtualDevice
 from mip_simulator.endpoints.endpoint import tcp_at
@@ -301,9 +301,7 @@ def test_the_workbench_reads_every_model(name: str, sync: bool, tmp_path: Path) 
     (tmp_path / "unknown.bin").write_bytes(b"".join(map(bytes, packets)))  # without the reply that names the device
     program = [need("node"), Path(__file__).with_name("survey.mjs"), workbench("real") / "workbench.js"]
     logs = [tmp_path / "log.bin", tmp_path / "unknown.bin"]
-    done = subprocess.run([*program, *logs], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    survey, unknown = map(json.loads, done.stdout.splitlines())
+    survey, unknown = map(json.loads, run(*program, *logs).splitlines())
     assert unknown["read"] == "; ".join(mip_tools.read_log(tmp_path / "unknown.bin").assumed())
     assert survey["device"] == name and len(survey["spans"]) == any(sent.clock(sync) for sent in plans)
     fields = {(x["set"], x["descriptor"]): x for x in survey["fields"]}

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
@@ -15,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from c_build import run
 from mip_protocol import Device, _sets, base, devices
 from mip_protocol import profile as profiles
 from mip_simulator import LivePort, VirtualDevice
@@ -24,7 +24,7 @@ from mip_tools.errors import Failure
 from mip_tools.ports import device_file, listing
 from mipgen import model as m
 from mipgen.resolve.load import load_model
-from program import ENVIRONMENT, mip, simulated, streaming
+from program import mip, simulated, streaming
 from support import ROOT, SPECS, heavy
 
 SPEC = SPECS["real"][0]
@@ -337,20 +337,12 @@ def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
         put(over, device_id, device_file.file_text(it, over))
     words = ["generate", "--spec", SPEC, "--spec", over, "--target", "python", "--out", package]
     words += [word for device_id in ids if ids == FEW for word in ("--device", device_id)]
-    environment = {**ENVIRONMENT, "PYTHONPATH": str(ROOT / "generator")}
-    made = subprocess.run([sys.executable, "-m", "mipgen", *map(str, words)], env=environment, capture_output=True)
-    assert made.returncode == 0, made.stderr.decode()
-    environment["PYTHONPATH"] = os.pathsep.join((str(ROOT / "tools"), str(package / "python")))
-    done = subprocess.run(
-        [sys.executable, "-c", AGAIN, str(over), *ids], env=environment, capture_output=True, text=True
-    )
-    assert done.returncode == 0, done.stderr
-    second = {line.split("|")[0]: line.split("|")[1:] for line in done.stdout.splitlines()}
-    assert second == {
-        device_id: [
-            str(sorted(t.descriptors)),
-            str(sorted(t.base_rates.items())),
-            str(sorted(t.ports, key=lambda p: p.id)),
-        ]
-        for device_id, t in first.items()
-    }
+    run(sys.executable, "-m", "mipgen", *words, PYTHONPATH=str(ROOT / "generator"))
+    folders = os.pathsep.join((str(ROOT / "tools"), str(package / "python")))
+    lines = run(sys.executable, "-c", AGAIN, over, *ids, PYTHONPATH=folders).splitlines()
+    second = {line.split("|")[0]: line.split("|")[1:] for line in lines}
+    wanted = {}
+    for device_id, t in first.items():
+        parts = (sorted(t.descriptors), sorted(t.base_rates.items()), sorted(t.ports, key=lambda p: p.id))
+        wanted[device_id] = [*map(str, parts)]
+    assert second == wanted

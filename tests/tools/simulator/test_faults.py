@@ -178,16 +178,13 @@ def test_lines_do_not_disturb_each_other() -> None:
 
 
 def test_the_same_seed_gives_the_same_faults() -> None:
+    """Those of a kind do not depend on the others."""
     rates = dict.fromkeys(kinds("packet"), 0.1)
     one, again, other = (Run(stream(300), seed, **rates) for seed in (3, 3, 4))
     assert one.parts == again.parts and one.log == again.log
     assert one.parts != other.parts
-
-
-def test_a_kind_does_not_depend_on_the_others() -> None:
-    alone = Run(stream(300), lose_packet=0.1)
+    lost = [entry.packet for entry in Run(stream(300), lose_packet=0.1).log]
     among = Run(stream(300), lose_packet=0.1, noise=0.5, delay=0.3)
-    lost = [entry.packet for entry in alone.log]
     assert lost and [entry.packet for entry in among.log if entry.kind == "lose_packet"] == lost
 
 
@@ -296,21 +293,18 @@ def test_the_response_of_another_command_is_one_that_was_sent() -> None:
 
 
 def test_newer_layouts_keep_what_is_known() -> None:
+    """Bytes are added behind the known ones, and unknown fields behind the known fields."""
     log: list[Injected] = []
     faults = Faults(log=log.append, longer=1.0)
     accel = sensor.ScaledAccel((1.0, 2.0, 3.0))
+    known = RawField(0x80, accel.DESCRIPTOR, accel.encode())
     for _ in range(20):
-        (raw,) = faults.data(0, 0x80, [RawField(0x80, accel.DESCRIPTOR, accel.encode())])
+        (raw,) = faults.data(0, 0x80, [known])
         value, more = sensor.ScaledAccel.decode_with_trailing(raw.data)
         assert value == accel and 1 <= more <= 8
     assert {entry.kind for entry in log} == {"longer"} and not any(entry.damaged for entry in log)
-
-
-def test_unknown_fields_come_behind_the_known_ones() -> None:
-    faults = Faults(unknown_field=1.0)
-    raw = RawField(0x80, 0x04, bytes(12))
-    known, unknown = faults.data(0, 0x80, [raw])
-    assert known == raw and not registry.types(unknown.set, unknown.descriptor)
+    first, unknown = Faults(unknown_field=1.0).data(0, 0x80, [known])
+    assert first == known and not registry.types(unknown.set, unknown.descriptor)
 
 
 @pytest.mark.parametrize("kind", kinds("data"))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from c_build import run
 from mipgen import cli
 from support import ROOT, SPECS, model
 
@@ -48,12 +48,9 @@ def test_it_does_what_it_does_in_the_whole_package(device: str, tmp_path: Path) 
     part = ["generate", "--spec", str(ROOT / "spec"), "--out", str(tmp_path), "--target", "python", "--device", device]
     assert cli.main(part) == 0
     whole, alone = (
-        subprocess.run(
-            [sys.executable, "-c", CONVERSATION, device], env=path(package),
-            capture_output=True, text=True, check=True,
-        ).stdout.splitlines()
+        run(sys.executable, "-c", CONVERSATION, device, **path(package)).splitlines()
         for package in (ROOT / "generated/python", tmp_path / "python")
-    )  # fmt: skip
+    )
     assert whole == alone
     assert any(line.count("756580") > 1 for line in whole)  # data are streamed
 
@@ -76,10 +73,7 @@ for name in devices.DEVICES:
             assert kind.decode(field.data).encode() == field.data
             print(kind.NAME)
 """
-    package = path(SPECS["invented"][1] / "python")
-    done = subprocess.run([sys.executable, "-c", code], env=package, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    names = done.stdout.split()
+    names = run(sys.executable, "-c", code, **path(SPECS["invented"][1] / "python")).split()
     forms = {p.kind for f in model("invented").fields if f.full_name in names for p in f.parameters}
     assert len(forms) > 3, forms
 
@@ -101,6 +95,4 @@ for name in devices.DEVICES:
             device.advance(3)
         print(number, descriptor, len(link.read()))
 """
-    package = path(SPECS["invented"][1] / "python")
-    done = subprocess.run([sys.executable, "-c", code], env=package, capture_output=True, text=True)
-    assert done.returncode == 0 and done.stdout, done.stderr
+    assert run(sys.executable, "-c", code, **path(SPECS["invented"][1] / "python"))

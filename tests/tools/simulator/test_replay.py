@@ -41,6 +41,11 @@ def log(tmp_path: Path) -> Path:
     return tmp_path / "log.bin"
 
 
+def pressure(value: float) -> bytes:
+    kind: Any = TYPES["sensor.scaled_pressure"]
+    return bytes(PacketBuilder(0x80).add(0x17, kind(float(value)).encode()).build())
+
+
 def test_recorded_values_come_back(log: Path) -> None:
     """Byte for byte at their times, and until the next one; other bytes between the packets do not matter."""
     recorded = record(
@@ -107,7 +112,7 @@ def test_packets_without_a_time_are_spread(log: Path) -> None:
         if i % 10 == 0:
             shown.world.ahead += 1000 * SECOND if i else 0
             builder += bytes(PacketBuilder(0x80).add(0xD3, shown.at(i / 10).raw("shared.gps_timestamp")[0]).build())
-        builder += bytes(PacketBuilder(0x80).add(0x17, TYPES["sensor.scaled_pressure"](900.0 + i).encode()).build())
+        builder += pressure(900 + i)
     builder += bytes(PacketBuilder(0x80).add(0xD3, shown.at(2.0).raw("shared.gps_timestamp")[0]).build())
     log.write_bytes(builder)
     replay = Replay(log)
@@ -118,12 +123,7 @@ def test_packets_without_a_time_are_spread(log: Path) -> None:
 
 
 def test_a_log_without_times_needs_a_rate(log: Path) -> None:
-    log.write_bytes(
-        b"".join(
-            bytes(PacketBuilder(0x80).add(0x17, TYPES["sensor.scaled_pressure"](float(i)).encode()).build())
-            for i in range(50)
-        )
-    )
+    log.write_bytes(b"".join(map(pressure, range(50))))
     with pytest.raises(MotionError) as error:
         Replay(log)
     assert str(error.value) == f"replay: {log} has no times; add the rate of its packets: rate=HZ"
