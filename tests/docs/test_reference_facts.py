@@ -28,7 +28,7 @@ from reference import (
 from support import some
 
 #: Facts about a field that have sections of their own, with a line each.
-RELATIONS = ("affects", "may_affect", "affected", "flags")
+RELATIONS = ("alternatives", "affects", "may_affect", "affected", "flags")
 DEVICES = ("devices", "likely", "assumed", "refused", "deprecation", "support")
 
 #: Which column of the table of parameters has which facts.

@@ -238,7 +238,8 @@ class Field(View[m.Field]):
         counts = ", ".join(f"{n} {word}" for word, n in answers if n)
         parts = {
             f"devices ({counts})": counts,
-            "settings": self._sentences("alternatives", "affects", "may_affect", "affected"),
+            "alternatives": self._sentences("alternatives"),
+            "settings": self._sentences("affects", "may_affect", "affected"),
             "status flags": self._sentences("flags"),
             "examples": self.examples,
             "errata": self.errata or self.errata_naming,
