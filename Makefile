@@ -130,7 +130,7 @@ test-newest: ## run the tests of logs as columns with the newest NumPy, pandas, 
 	@$(BUILD)/newest/bin/python -m pip install --quiet --require-hashes -r requirements/all.txt
 	@$(BUILD)/newest/bin/python -m pip install --quiet --upgrade numpy pandas polars pyarrow mcap rosbags
 	@PATH=$(abspath $(BUILD)/newest/bin):$$PATH python -m pytest -n $(JOBS) -k "not wheels" \
-		tests/tools/test_columns.py tests/tools/test_log_tables.py tests/tools/cli/test_mip_columns.py tests/tools/cli/test_robots.py
+		tests/tools/test_columns.py tests/tools/test_log_tables.py tests/tools/cli/test_logs.py tests/tools/cli/test_robots.py
 
 .PHONY: test-all
 test-all: tools-all test test-packaging ## these, and those that take long, or need other compilers, browsers and Pythons
