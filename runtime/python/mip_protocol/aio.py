@@ -64,6 +64,7 @@ from .port import (
     address,
     as_port,
     cannot_open,
+    check_baud,
     warn_unclosed,
     weakly,
 )
@@ -601,6 +602,7 @@ async def _connect(url: str | os.PathLike[str], baud: int | None) -> Any:
     stop: Callable[[], object]
     seconds: float | None
     if host is not None:
+        check_baud(USUAL if baud is None else baud)
         opening = asyncio.ensure_future(asyncio.open_connection(*host))
         stop, seconds = opening.cancel, CONNECT_TIMEOUT
     else:

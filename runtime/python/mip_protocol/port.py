@@ -100,10 +100,7 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
     A serial port is opened exclusively. Raises PortError if it cannot be opened, and MissingExtra
     without pyserial, which TCP connections do not need.
     """
-    if not isinstance(baud, int):
-        raise TypeError(f"baud rate {baud!r}: must be a whole number, such as 115200")
-    if baud < 1:
-        raise ValueError(f"baud rate {baud}: must be at least 1")
+    check_baud(baud)
     url = os.fspath(url)
     host = address(url)
     try:
@@ -112,6 +109,14 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
         return _serial(url, baud)
     except (OSError, ValueError) as error:
         raise cannot_open(url, error) from error
+
+
+def check_baud(baud: int) -> None:
+    """Raises TypeError or ValueError for what cannot be a baud rate."""
+    if not isinstance(baud, int):
+        raise TypeError(f"baud rate {baud!r}: must be a whole number, such as 115200")
+    if baud < 1:
+        raise ValueError(f"baud rate {baud}: must be at least 1")
 
 
 def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:

@@ -517,7 +517,7 @@ def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
     with kind.at(peer.near) as device, pytest.raises(ValueError, match="baud rate"):
         device.change_baud(mip_3dm.UartBaudRate.write(9600))
     with pytest.raises(TypeError, match="baud rate '115200': must be a whole number, such as 115200"):
-        sync.open_port("localhost:1", "115200")
+        kind.open("localhost:1", "115200")
 
 
 # --------------------------------------------------------------------------- the package
