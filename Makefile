@@ -240,7 +240,7 @@ pictures: docs $(VENV)/all.stamp ## make the pictures of the README anew, and in
 	@$(RUN) tests/first_page.py --pictures
 
 .PHONY: bench
-bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PART=generate measures the generator only, PART=columns logs, PART=javascript the JavaScript package, PEER=FOLDER compares with the vendor's SDK
+bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PART=generate measures the generator only, PART=columns logs, PART=javascript the JavaScript package, PART=rust the crate, PEER=FOLDER compares with the vendor's SDK
 	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme) $(addprefix --part ,$(PART)) $(if $(PEER),--peer $(PEER))
 
 .PHONY: interop

@@ -22,7 +22,7 @@ PEER = ROOT / "docs/parts/bench_c_peer.md"
 def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--readme", action="store_true")
-    arguments.add_argument("--part", choices=("generate", "c", "columns", "javascript"), help="this part only")
+    arguments.add_argument("--part", choices=("generate", "c", "columns", "javascript", "rust"), help="this part only")
     arguments.add_argument("--peer", type=Path, help="a folder of the vendor's SDK: C beside it only")
     given = arguments.parse_args()
     if given.part == "generate":
@@ -30,6 +30,12 @@ def main() -> None:
         return
     if given.part in ("columns", "javascript"):
         print(bench_columns.report() if given.part == "columns" else bench_javascript.report())
+        return
+    if given.part == "rust":
+        if given.readme:
+            bench_rust.write_readme()
+        else:
+            print(bench_rust.report())
         return
     if given.peer:
         text = bench_c_peer.report(given.peer) + bench_c_board.report(given.peer, bench_c_peer.name(given.peer))

@@ -18,6 +18,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "base")]
 bitfield! {
     /// Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter.
     ///
@@ -44,6 +45,7 @@ bitfield! {
     }
 }
 
+#[cfg(feature = "base")]
 bitfield! {
     /// Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
     ///
@@ -93,6 +95,7 @@ bitfield! {
     }
 }
 
+#[cfg(any(feature = "base", feature = "system_data"))]
 bitfield! {
     /// Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
     /// inertial sensors, 64-95 navigation, 96-127 GNSS.
@@ -249,6 +252,7 @@ bitfield! {
     }
 }
 
+#[cfg(any(feature = "base", feature = "system_data"))]
 bitfield! {
     /// Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
     /// bits 0-31 system, 32-63 inertial sensors, 64-95 navigation.
@@ -563,6 +567,7 @@ bitfield! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Kind of an event trigger.
     ///
@@ -580,6 +585,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Kind of an event action.
     ///
@@ -595,6 +601,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Operating mode of an event trigger.
     ///
@@ -612,6 +619,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 bitfield! {
     /// State of an event trigger.
     ///
@@ -973,6 +981,7 @@ constructors! {
 
 tuple! { EventActionMessage descriptor_set: crate::DescriptorSet, decimation: u16, descriptors: crate::List<u8, 249> }
 
+#[cfg(feature = "gnss_data")]
 open_enum! {
     /// Satellite constellation. QZSS has no value.
     ///
@@ -993,6 +1002,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "gnss_data")]
 open_enum! {
     /// Type of a GNSS position fix.
     ///
@@ -1017,6 +1027,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "gnss_data")]
 open_enum! {
     /// Signal of a satellite.
     ///
@@ -1157,6 +1168,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Use of a GPIO pin.
     ///
@@ -1177,6 +1189,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Behavior of a pin whose feature is unused.
     GpioUnusedBehavior: u8 {
@@ -1185,6 +1198,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Behavior of a pin whose feature is gpio.
     GpioBehavior: u8 {
@@ -1197,6 +1211,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Behavior of a pin whose feature is pps.
     GpioPpsBehavior: u8 {
@@ -1207,6 +1222,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Behavior of a pin whose feature is encoder.
     GpioEncoderBehavior: u8 {
@@ -1217,6 +1233,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Behavior of a pin whose feature is timestamp.
     GpioTimestampBehavior: u8 {
@@ -1229,6 +1246,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 open_enum! {
     /// Behavior of a pin whose feature is uart.
     GpioUartBehavior: u8 {
@@ -1243,6 +1261,7 @@ open_enum! {
     }
 }
 
+#[cfg(feature = "mip_3dm")]
 bitfield! {
     /// Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the
     /// feature and the behavior.
@@ -1352,6 +1371,7 @@ constructors! {
 
 tuple! { NmeaMessage message_id: NmeaMessageId, talker_id: NmeaTalkerId, source_descriptor_set: crate::DescriptorSet, decimation: u16 }
 
+#[cfg(any(feature = "base", feature = "system"))]
 open_enum! {
     /// A port of a device.
     ///
@@ -1374,6 +1394,7 @@ open_enum! {
     }
 }
 
+#[cfg(any(feature = "gnss_data", feature = "rtk"))]
 bitfield! {
     /// State of the modem and of the corrections. Other models send [`RtkStatusFlagsLegacy`].
     ///
@@ -1606,6 +1627,7 @@ constructors! {
 
 tuple! { DescriptorRate descriptor: u8, decimation: u16 }
 
+#[cfg(feature = "sensor")]
 bitfield! {
     /// State of the GPS time of sensor data.
     ///
@@ -1629,6 +1651,7 @@ bitfield! {
     }
 }
 
+#[cfg(feature = "sensor")]
 bitfield! {
     /// State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits for the validity
     /// of the values.
@@ -1656,6 +1679,7 @@ bitfield! {
 /// [`Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
 /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
 /// [`Gx5SensorGpsTimestampFlags`].
+#[cfg(feature = "sensor")]
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {

@@ -161,7 +161,7 @@ impl<'d> Bytes<'d> {
     }
 
     /// Returns the field that is sent.
-    #[cfg(feature = "devices")]
+    #[cfg(feature = "open")]
     pub(crate) const fn field(&self) -> RawField<'d> {
         RawField { set: self.kind.set, descriptor: self.kind.descriptor, data: self.data }
     }

@@ -48,7 +48,30 @@ class Crate:
             state = self.model.type(named)
             assert state is not None
             inner += f" while {names.path(state, names.home(t))}"
-        return Type(self.docs.type(t), macro, names.type_name(t.name), inner, list(parts(t, self.docs)))
+        needs = self.needs.get(t.name, "") if names.home(t) == "types" else ""
+        return Type(self.docs.type(t), macro, names.type_name(t.name), inner, list(parts(t, self.docs)), needs)
+
+    @cached_property
+    def needs(self) -> dict[str, str]:
+        """The condition under which an enumeration or a bitfield of several families is used, by its name. Each takes
+        as long to compile as some fields, so that a program with few sets should not have all of them."""
+        users: dict[str, set[str]] = {}
+        for record in self.records.values():
+            for t in record.used_types:
+                bits = t.bits if isinstance(t, m.Bitfield) else ()
+                named = (x for b in bits for x in (b.enum, self.model.type(b.when.type) if b.when else None))
+                for used in (t, *named):
+                    if isinstance(used, (m.Enum, m.Bitfield)):
+                        users.setdefault(used.name, set()).add(record.home)
+        conditions: dict[str, str] = {}
+        families = {names.module(x.name) for x in self.model.families}
+        for everywhere in (self.model.protocol.function_selector, self.model.protocol.ack_code):
+            users.pop(everywhere.name, None)
+        for name, homes in users.items():
+            features = [f'feature = "{home}"' for home in sorted(homes)]
+            if len(features) < 3 and homes <= families:  # structures of several families are always there
+                conditions[name] = features[0] if len(features) == 1 else f"any({', '.join(features)})"
+        return conditions
 
     @property
     def types(self) -> list[Type | Record]:
@@ -89,14 +112,16 @@ class Crate:
 
     @property
     def conversions(self) -> Iterator[tuple[list[Block], list[str], str, str]]:
-        """The conversions between named types that readings need: comment, features, the type, and the new one."""
+        """The conversions between named types that readings need: comment, conditions, the type, and the new one."""
         done: set[tuple[str, str]] = set()
         for reading in (reading for record in self.records.values() for reading in record.readings):
             source, target = reading.member.parameter.element, reading.variants[0].type
             if isinstance(source, (m.Enum, m.Bitfield)) and target and (source.name, target.name) not in done:
                 done.add((source.name, target.name))
-                features = sorted({names.home(source), names.home(target)} - {"types"})
-                yield [reading.applies("types")], features, names.path(source, "types"), names.path(target, "types")
+                features = [f'feature = "{x}"' for x in {names.home(x): None for x in (source, target)} if x != "types"]
+                needs = (self.needs.get(x.name, "") for x in (source, target) if names.home(x) == "types")
+                conditions = sorted({*features, *needs} - {""})
+                yield [reading.applies("types")], conditions, names.path(source, "types"), names.path(target, "types")
 
     @property
     def devices(self) -> Iterator[Device]:
@@ -200,6 +225,7 @@ class Type:
     name: str
     inner: str
     parts: list[tuple[list[Block], list[str]]]  # the comment and the lines of each value, bit or element
+    needs: str = ""  # the condition under which it is there
 
 
 def parts(t: m.Enum | m.Bitfield | m.Vector, about: docs.Docs) -> Iterator[tuple[list[Block], list[str]]]:

@@ -353,6 +353,7 @@ class Struct(Record):
     of: m.Struct
     macro = "record"
     deprecated = None
+    needs = ""
 
     @property
     def doc(self) -> list[Block]:
