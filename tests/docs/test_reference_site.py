@@ -50,11 +50,11 @@ PAGES = (
 
 @cache
 def project_pages() -> Path:
-    """The pages of the project itself, as `make docs` adds them."""
-    folder = BUILD / "site-project-pages"
-    with locked(folder):
-        subprocess.run([sys.executable, ROOT / "docs/pages.py", folder / "pages"], check=True)
-    return folder / "pages"
+    """The pages of the project itself, as `make docs` adds them; each process has its own: they are made
+    anew while others are read."""
+    folder = BUILD / "site-project-pages" / os.environ.get("PYTEST_XDIST_WORKER", "alone")
+    subprocess.run([sys.executable, ROOT / "docs/pages.py", folder], check=True)
+    return folder
 
 
 @cache
