@@ -82,6 +82,7 @@ def archive(spec: str, compiler: str, *flags: str) -> Path:
         now = stamp(spec, *command)
         if not mark.is_file() or mark.read_text() != now:
             where.mkdir(exist_ok=True)
+            mark.unlink(missing_ok=True)  # before the library: sources that do not compile leave neither
             library.unlink(missing_ok=True)
             objects = []
             for source in sources(spec):
