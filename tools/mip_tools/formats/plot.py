@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import logging
 import os
 from collections.abc import Iterable, Sequence
 from importlib import import_module
@@ -38,6 +39,8 @@ def matplotlib_pyplot(window: bool) -> Any:
     if not window:
         matplotlib.use("Agg")
     matplotlib.rcParams["agg.path.chunksize"] = 20_000
+    # On a slow machine, it would warn, the first time, that looking for fonts takes a moment.
+    logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
     import matplotlib.pyplot as pyplot
 
     if window and matplotlib.get_backend().lower() == "agg":
