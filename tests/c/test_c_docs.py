@@ -16,7 +16,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.c import calls, members, names
 from mipgen.targets.c.comments import ELSEWHERE, EVIDENCE, Comments, reference
-from support import ROOT, SPECS, heavy, model, need, small
+from support import ROOT, SPECS, heavy, model, need
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 
@@ -166,7 +166,7 @@ def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, li
                 yield f"{names.union_name(p, names.union_owner(p, record, of))}.{names.member(c.parameter.name)}", told
 
 
-@small("comments of the real C library")
+@both
 def test_every_fact_is_told(spec: str) -> None:
     of, found = model(spec), comments(spec)
     things = list(wanted(of))
@@ -190,7 +190,7 @@ def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
         assert ELSEWHERE in plain(text.partition("*/")[0])
 
 
-@small("comments of the real C library")
+@both
 def test_everything_has_a_comment(spec: str) -> None:
     """Every function, structure, member, macro and value of every header; guards apart, and what every field has."""
     fields = [names.field_name(f) for f in (model(spec).protocol.acknowledge, *model(spec).fields)]

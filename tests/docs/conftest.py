@@ -5,13 +5,10 @@ from collections.abc import Iterator
 import browser
 import pytest
 from reference import Manual, manual_of
-from support import heavy
-
-#: The small specification has every kind of fact; the real one has each of them many times.
-REAL = pytest.param("real", marks=heavy("every fact of the real reference"))
+from support import SPECS
 
 
-@pytest.fixture(params=["invented", REAL])
+@pytest.fixture(params=sorted(SPECS))
 def manual(request: pytest.FixtureRequest) -> Manual:
     return manual_of(request.param)
 

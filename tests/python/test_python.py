@@ -18,7 +18,7 @@ from mipgen.resolve.load import load_model
 from mipgen.targets.python import names
 from packages import INVENTED, REAL, Package, mip, real
 from spec_defaults import filled
-from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, packaging, parse_as, small
+from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, packaging, parse_as
 
 
 def user(folder: Path, code: str, python: str = sys.executable, **environment: str) -> str:
@@ -173,7 +173,7 @@ def test_client_deadline_and_cancel() -> None:
 # --------------------------------------------------------------------------- devices
 
 
-@small("what the real Python package knows")
+@pytest.mark.parametrize("spec", sorted(SPECS))
 def test_devices(spec: str) -> None:
     package, of = (mip if spec == "invented" else real), model(spec)
     assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
@@ -394,7 +394,7 @@ def test_other_python_versions(version: str) -> None:
     assert user(REAL, code, python=another_python(version)) == f"{count}\n"
 
 
-@small("what the real Python package knows")
+@pytest.mark.parametrize("spec", sorted(SPECS))
 def test_decimations(spec: str) -> None:
     of = model(spec)
     for d in of.devices:

@@ -23,12 +23,13 @@ from mipgen.lower.codec import in_numbers
 from mipgen.targets.python import names
 from mipgen.targets.python.docs import COMMENTS
 from packages import REAL, Package, mip, real
-from support import SEED, all_fields, model, rounds, small
+from support import SEED, all_fields, model, rounds
 from timed_packets import cases_of_devices
 
 say = COMMENTS.say
 
 PACKAGES = {"real": real, "invented": mip}
+both = pytest.mark.parametrize("spec", sorted(PACKAGES))
 
 
 def records(of: m.Model) -> list[m.Record]:
@@ -67,7 +68,7 @@ def objects(package: Package, f: m.Field, chance: random.Random, count: int = 6)
 # --------------------------------------------------------------------------- meaning
 
 
-@small("what the real Python package knows")
+@both
 def test_fields_and_structures_know_what_they_mean(spec: str) -> None:
     package, of = PACKAGES[spec], model(spec)
     for r in records(of):
@@ -90,7 +91,7 @@ def test_fields_and_structures_know_what_they_mean(spec: str) -> None:
         assert info.functions == tuple(names.member(x.name) for x in r.functions)
 
 
-@small("what the real Python package knows")
+@both
 def test_parameters_know_what_they_mean(spec: str) -> None:
     package, of = PACKAGES[spec], model(spec)
     for r in records(of):
@@ -121,7 +122,7 @@ def check(package: Package, p: m.Parameter, r: m.Record, row: Any, of: m.Model) 
     assert row.range.replace(".0", "") == bounds.replace(".0", "")
 
 
-@small("what the real Python package knows")
+@both
 def test_what_differs_by_device_or_beside_other_values(spec: str) -> None:
     package, of = PACKAGES[spec], model(spec)
     seen = 0
@@ -156,7 +157,7 @@ def beside(package: Package, r: m.Record, p: m.Parameter, v: m.Variant) -> Any:
     return kind(package, r).INFO[p.name].of(holder)
 
 
-@small("what the real Python package knows")
+@both
 def test_types_know_their_values_and_bits(spec: str) -> None:
     package, of = PACKAGES[spec], model(spec)
     info = package.reflection.info
@@ -241,7 +242,7 @@ def test_help_says_it() -> None:
 # --------------------------------------------------------------------------- validity
 
 
-@small("what the real Python package knows")
+@both
 def test_flags_vouch_for_values(spec: str) -> None:
     """A value is valid if exactly the bits that the specification names are set."""
     package, of = PACKAGES[spec], model(spec)
@@ -350,7 +351,7 @@ def test_meaning_of_arrays_of_bytes() -> None:
 # --------------------------------------------------------------------------- dictionaries and text
 
 
-@small("what the real Python package knows")
+@both
 def test_every_object_is_a_dictionary_and_a_text(spec: str) -> None:
     package, of, chance = PACKAGES[spec], model(spec), random.Random(SEED)
     seen = set()
@@ -489,7 +490,7 @@ def test_the_program_of_the_readme_runs() -> None:
 # --------------------------------------------------------------------------- names
 
 
-@small("what the real Python package knows")
+@both
 def test_every_name_finds_its_field(spec: str) -> None:
     package, of = PACKAGES[spec], model(spec)
     find = package.registry.by_name
