@@ -36,7 +36,7 @@ def test_times_are_those_of_python(spec: str) -> None:
         assert found["classes"] == found["model"] == wanted, (data.hex(), device)
         for clock, time in moments.items():
             seen[clock] = seen.get(clock, 0) + (time is not None)
-    assert seen.keys() == {c.name for c in of.protocol.clocks} and min(seen.values()) > 4, seen
+    assert seen.keys() == {c.name for c in of.protocol.clocks} and min(seen.values()) > 0, seen
 
 
 def test_a_log_is_read_in_one_way() -> None:
