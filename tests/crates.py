@@ -80,7 +80,7 @@ def without_dependencies(files: dict[str, bytes]) -> dict[str, bytes]:
     """Cargo resolves optional dependencies even where it does not use them."""
     manifest = files["Cargo.toml"].decode("utf-8")
     manifest = re.sub(r"\[(?:.*\.dev-)?dependencies\]\n(?:.+\n)+", "", manifest)
-    manifest = re.sub(r'"(?:dep:[\w-]+|[\w-]+/\w+)"(, )?', "", manifest)
+    manifest = re.sub(r'"(?:dep:[\w-]+|[\w-]+\??/\w+)"(, )?', "", manifest)
     assert "dep:" not in manifest and "dependencies]" not in manifest
     return {**files, "Cargo.toml": f"{manifest}\n[workspace]\n".encode()}
 
