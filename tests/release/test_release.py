@@ -141,6 +141,10 @@ def test_python(tmp_path: Path, form: str) -> None:
         built = ("wheel", "--no-build-isolation", "--no-index", "--no-deps", "--wheel-dir", tmp_path / "wheels")
         run(sys.executable, "-m", "pip", *built, *sources, cwd=tmp_path)
         packages = sorted((tmp_path / "wheels").iterdir())
+    for package in packages:
+        with zipfile.ZipFile(package) as packed:
+            (metadata,) = (name for name in packed.namelist() if name.endswith(".dist-info/METADATA"))
+            assert packed.read(metadata).startswith(b"Metadata-Version: 2.4\n"), "twine knows no newer one"
     protocol, simulator, tools = packages
     install = (sys.executable, "-m", "pip", "--python", python, "install", "--no-index", "--no-deps")
     run(*install, protocol, tools, cwd=tmp_path)
