@@ -30,6 +30,7 @@ from mip_tools.doctor.examined import Examined
 from mip_tools.doctor.port import Patient, why_not_open
 from mip_tools.doctor.values import _Channel
 from mip_tools.logs import report
+from mip_tools.logs.recognize import recognized
 from program import DEVICE, Rates, mip, reply, sent, simulated, streaming
 
 #: What the logs of these tests have.
@@ -410,6 +411,13 @@ def test_sentences_without_packets() -> None:
     found = examined(SENTENCE * 10_000)
     assert found.sentences == 10_000
     assert [f.text for f in findings.in_stream(found)] == ["no packet in 170000 bytes: NMEA sentences"]
+
+
+@pytest.mark.parametrize("name", ["GPGGA", "GNRMC", "HEHDT", "GIGSV", "PUBX", "PASHR"])
+def test_sentences_with_wrong_checksums(name: str) -> None:
+    """Of any talker and any maker."""
+    found = recognized(f"${name},1,2*00\r\n".encode() * 5)
+    assert found is not None and found.what == "NMEA sentences, with wrong checksums"
 
 
 def test_sentences_are_those_of_info() -> None:

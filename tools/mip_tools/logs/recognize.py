@@ -370,7 +370,7 @@ def _sentences(data: bytes) -> Recognized | None:
     count = len(sentences.Sentences().feed(data + b"\n"))
     if count and data.count(b"$") + data.count(b"!") <= 4 * count:
         return Recognized("NMEA sentences", remedy)
-    if re.search(rb"(?:^|\n)\$(?:G[ABLNPQ]|P)[A-Z]{3},[^\n]*\*[0-9A-F]{2}\r?(?:\n|$)", data):
+    if re.search(rb"(?:^|\n)\$[A-Z]{4,6},[^\n]*\*[0-9A-F]{2}\r?(?:\n|$)", data):
         return Recognized("NMEA sentences, with wrong checksums", remedy)
     return None
 
