@@ -91,6 +91,28 @@ def test_times_of_devices(tmp_path: Path) -> None:
     assert list(zip(lines, read)) == [(line, case[2:]) for line, case in zip(lines, cases)]
 
 
+def test_readings_by_model_number_are_those_by_id(tmp_path: Path) -> None:
+    devices = [d for d in model("real").devices if d.model_number]
+    checks = "".join(
+        f'    CHECK(mip_reading_of_model({d.model_number}) == mip_reading_of("{d.id}"));\n' for d in devices
+    )
+    source = f"""#include "check.h"
+#include "mip/connect.h"
+#include "mip/extra/profiles.h"
+#include "mip/timestamps.h"
+
+int main(void) {{
+    const struct mip_base_get_device_info_response gx5 = {{{{0, "3DM-GX5-25", "  6253-4220", "", "", ""}}}};
+    const struct mip_base_get_device_info_response none = {{{{0, "", "", "", "", ""}}}};
+{checks}    CHECK(mip_reading_of_model(mip_device_model(&gx5)) == mip_reading_of("3dm-gx5-25"));
+    CHECK(mip_reading_of_model(6253) != mip_reading_of_model(6286));
+    CHECK(mip_reading_of_model(mip_device_model(&none)) == MIP_READING_UNKNOWN);
+    return 0;
+}}
+"""
+    run(program(tmp_path, "real", source))
+
+
 def test_gps_time_to_utc_across_every_leap_second(tmp_path: Path) -> None:
     leaps = leap_seconds()
     assert model("real").protocol.clocks[0].name == "gps"

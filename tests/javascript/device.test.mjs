@@ -18,9 +18,10 @@ const { rejections } = await load("mip/rejected.mjs");
 const { default: model } = await load("model.mjs");
 const { CommSpeed, GetDeviceInfo, Ping } = await load("base.mjs");
 const { EcefPosition } = await load("aiding.mjs");
-const { ScaledAccel, ScaledGyro } = await load("sensor.mjs");
+const { GpsTimestamp: SensorTime, ScaledAccel, ScaledGyro } = await load("sensor.mjs");
 const { GpsTimestamp } = await load("shared.mjs");
 const { LlhPosition } = await load("gnss_data.mjs");
+const { Clock, Times } = await load("time.mjs");
 
 const ack = (set, descriptor, code = 0) => ({ descriptor: 0xf1, data: Uint8Array.of(descriptor, code), set });
 const packet = (...fields) => Packet.build(fields[0].set, fields).bytes;
@@ -306,14 +307,35 @@ test("a setting that silences commands is asked for once", async () => {
 test("rates are checked before anything is changed", async () => {
     const { device, port } = await opened(rating());
     await assert.rejects(device.stream([[ScaledAccel, 30]]), { kind: "rate", message: /100 Hz.*nearest: 33.3/ });
-    assert.equal(port.written.length, 1);
+    assert.equal(port.written.length, 2); // the device was also asked which model it is
     await assert.rejects(device.stream([[LlhPosition, 1]]), { kind: "set" });
     await assert.rejects(device.stream([[ScaledAccel, 1]], { set: 0x82 }), { kind: "set" });
     await assert.rejects(device.stream([[ScaledAccel, -1]]), { kind: "range" });
-    assert.equal(port.written.length, 1);
+    assert.equal(port.written.length, 2);
+    device.model = "3dm-cv7-ahrs"; // it is not asked again
     const rates = await device.stream([[ScaledAccel, 50], [GpsTimestamp, 0], [ScaledGyro, 100]]); // biome-ignore format: one line
     assert.deepEqual([...rates.values()], [50, 100, 100]);
-    assert.equal(toHex(port.written[2]).slice(8, -4), "0e0f018003d30001040002050001"); // the shared field first
+    assert.equal(toHex(port.written[3]).slice(8, -4), "0e0f018003d30001040002050001"); // the shared field first
+    await device.close();
+});
+
+test("the times of a device are those of its model, once that is known", async () => {
+    const responses = { 3: informed("3DM-GX5-25      ", "6253-4220") };
+    const { device, port } = await opened(rejecting(responses, []));
+    const stamp = new SensorTime({ tow: 12.5, weekNumber: 2300, validFlags: 0x18 }).packet().bytes; // a date, but on such models
+    const clocks = async () => {
+        port.arrive(stamp);
+        const packet = await device.next();
+        const times = [Clock.GPS, Clock.DEVICE].map((clock) => [packet.time(clock), new Times().time(packet, clock)]);
+        for (const [one, other] of times) assert.equal(one, other);
+        return times.map(([one]) => typeof one === "bigint");
+    };
+    assert.deepEqual([device.model, await clocks()], [undefined, [true, false]]);
+    await assert.rejects(device.stream([[ScaledAccel, 100]]), { kind: "refused" });
+    assert.deepEqual([device.model, await clocks()], ["3dm-gx5-25", [false, true]]);
+    device.model = "3dm-cv7-ahrs"; // whatever it answers
+    await device.request(new GetDeviceInfo());
+    assert.deepEqual([device.model, await clocks()], ["3dm-cv7-ahrs", [true, false]]);
     await device.close();
 });
 

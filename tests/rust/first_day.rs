@@ -30,6 +30,8 @@ struct Fake {
     lose: usize,
     lose_of: u16,
     refuse: u16,
+    /// Its name and number.
+    model: [&'static str; 2],
     /// Packets of data that it sends without being asked.
     data: usize,
     sent: Vec<Vec<u8>>,
@@ -53,6 +55,7 @@ fn at_rate(rate: u32, baud: u32) -> Device<Fake> {
         lose: 0,
         lose_of: 0,
         refuse: 0,
+        model: ["3DM-CV7-AHRS", "6286-9999"],
         data: 0,
         sent: Vec::new(),
         tried: Vec::new(),
@@ -128,7 +131,7 @@ impl Port for Fake {
             0x0C0B => payload.extend([4, 0x8A, high, low]),
             0x0103 => {
                 payload.extend([84, 0x81, 0, 0]);
-                payload.extend(format!("{:16}{:64}", "3DM-CV7-AHRS", "6286-9999").bytes());
+                payload.extend(format!("{:16}{:64}", self.model[0], self.model[1]).bytes());
             }
             0x0104 => payload.extend([6, 0x82, 0x01, 0x07, 0x80, 0x04]),
             0x0107 => payload.extend([4, 0x86, 0x82, 0x10]),
@@ -280,6 +283,25 @@ fn the_rejected_field_is_in_neither_of_its_lists() {
         let index = rejected.rejected(&command).unwrap().map(|found| found.index);
         assert_ne!(index, Some(0), "{lost:#X}"); // nothing shows that the first is absent
     }
+}
+
+#[test]
+fn a_device_that_was_asked_what_it_is_has_its_own_times() {
+    let mut device = device(115_200);
+    device.port_mut().model = ["3DM-GX5-25", "6253-4220"];
+    let clocks = |device: &mut Device<Fake>| {
+        let mut stamp = vec![14, 0x12];
+        stamp.extend(12.5_f64.to_be_bytes());
+        stamp.extend([8, 252, 0, 0x18]); // a date, but on models of its generation
+        device.port_mut().coming.extend(packet(0x80, &stamp));
+        let mut found = device.fields::<sensor::GpsTimestamp>(10);
+        found.next().unwrap().unwrap().0.map(|time| time.clock.name())
+    };
+    assert_eq!(clocks(&mut device), Some("gps"));
+    assert_eq!(device.profile().unwrap().map(|profile| profile.id), Some("3dm-gx5-25"));
+    assert_eq!(clocks(&mut device), Some("device"));
+    assert_eq!(device.connect(&BAUD_RATES), Ok(Some(115_200))); // perhaps to another one
+    assert_eq!(clocks(&mut device), Some("gps"));
 }
 
 #[test]

@@ -197,6 +197,35 @@ def test_replies_over_udp_stay_those_of_their_commands(tmp_path: Path) -> None:
     datagrams.check(tmp_path, {way: [str(program), way] for way in DEVICES}, 500)
 
 
+#: Shows as which model the times of a device are read, before and after it has started its data.
+MODEL = """
+use mip_protocol::{sensor::{self, ScaledAccel}, session::Rate};
+#[tokio::main]
+async fn main() {
+    let place = std::env::args().nth(1).unwrap();
+    let rates = [Rate::of::<ScaledAccel>(100.0)];
+    let mut device = mip_protocol::open(&place).unwrap();
+    println!("{:?}", device.fields::<ScaledAccel>(0));
+    device.stream(sensor::SET, &rates).unwrap();
+    println!("{:?}", device.fields::<ScaledAccel>(0));
+    drop(device);
+    let mut device = mip_protocol::open_async(&place).await.unwrap();
+    device.stream(sensor::SET, &rates).await.unwrap();
+    println!("{:?}", device.fields::<ScaledAccel>(0));
+    println!("{:?}", device.split().1.fields::<ScaledAccel>(0));
+}
+"""
+
+
+@heavy(EXAMPLES)
+def test_times_are_those_of_the_model_that_a_stream_asks_for(tmp_path: Path) -> None:
+    program = built("model", MODEL)
+    with simulated("--pty", f"{tmp_path}/port", device=GX5):
+        done = subprocess.run([program, f"{tmp_path}/port"], capture_output=True, text=True, timeout=PATIENCE)
+    found = re.findall(r"Times { device: (.*?),", done.stdout)
+    assert found == ["None", *[f'Some("{GX5}")'] * 3], done.stdout + done.stderr
+
+
 #: One port is lost and cannot be opened again, one is opened at the second attempt; ports of each kind copy what they
 #: receive.
 PORTS = """

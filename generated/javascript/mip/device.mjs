@@ -8,6 +8,7 @@ import { AckCode, FunctionSelector } from "../protocol.mjs";
 import { session } from "../session.mjs";
 import { isSame, MipError } from "./bytes.mjs";
 import { Client, checkSeconds } from "./client.mjs";
+import { modelNumber } from "./naming.mjs";
 import { stream } from "./streaming.mjs";
 
 /** Seconds without a byte after which an incomplete packet, which may be noise, is searched, and discarded. */
@@ -25,6 +26,9 @@ export class Device {
     #closed = false;
     #waiting = new Map(); // command -> the function to call with its outcome
     #settings = new Map(); // class of a command -> the setting that the device is known to have
+    #model; // the device's id
+    #named = false; // by the program
+    #identified = false; // by its answer from this port, or by the program
     #packets = [];
     #readers = []; // functions to call with the next packets
     #timer;
@@ -49,6 +53,7 @@ export class Device {
     async #begin() {
         this.#port = await this.#open();
         this.#settings.clear();
+        this.#identified = this.#named;
         this.#incomplete = false;
         this.#end = undefined;
         this.#read(this.#port);
@@ -64,6 +69,15 @@ export class Device {
 
     get waiting() {
         return this.#packets.length;
+    }
+
+    get model() {
+        return this.#model;
+    }
+
+    set model(id) {
+        this.#model = id;
+        this.#named = this.#identified = id !== undefined;
     }
 
     // ------------------------------------------------------------------------------------------------ commands
@@ -138,10 +152,17 @@ export class Device {
         return command.constructor.SILENCED_BY.some(holds);
     }
 
-    /** Records a setting that the device has reported or accepted. */
+    /** Records what the device has reported, or a setting that it has accepted. */
     #learn({ command, response, accepted }) {
         const kind = command.constructor;
         if (!accepted || kind.SILENCED_BY.length) return;
+        if (response && session && !this.#named && kind === session.identify().constructor) {
+            this.#model = session
+                .modelNumbers(response)
+                .map((text) => session.models[modelNumber(text)])
+                .find(Boolean);
+            this.#identified = true;
+        }
         const selector = kind.layout.calls && Number(command.function);
         if (selector === FunctionSelector.READ) {
             if (response) this.#settings.set(kind, response);
@@ -160,7 +181,7 @@ export class Device {
     }
 
     stream(rates, { set } = {}) {
-        return stream(this, session, new Map(rates), set);
+        return stream(this, session, new Map(rates), set, this.#identified);
     }
 
     // ------------------------------------------------------------------------------------------------ data
@@ -233,6 +254,7 @@ export class Device {
 
     #arrive(packet) {
         packet.arrival = Date.now() / 1000;
+        packet.model = this.#model;
         const reader = this.#readers.shift();
         if (reader) {
             clearTimeout(reader.timer);

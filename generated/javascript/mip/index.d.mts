@@ -178,12 +178,15 @@ export declare class Packet {
     get sound(): boolean;
     /** For a packet from a device: when it arrived, in seconds since 1970 by this computer's clock. */
     readonly arrival?: number;
+    /** For a packet from a device: the id of its model, if `device.model` was known when it arrived. */
+    readonly model?: string;
     /**
      * Returns its time by a clock of `mip-protocol/time`, in nanoseconds: since 1970 in UTC if the clock has a date,
      * otherwise since the clock's start. It is null if that is not valid, and undefined if the packet has none. A time of
      * week that is not valid as a date is the time of a clock without one.
      *
-     * @param device the id of the device, on which valid flags may depend; `Times` is for devices that are not known
+     * @param device the id of the device, on which valid flags may depend: `model`, if that is known; `Times` is for logs of
+     *   devices that are not known
      */
     time(clock: Clock, device?: string): bigint | null | undefined;
     /** Yields the fields; throws "field_length" at a malformed one. */
@@ -366,6 +369,11 @@ export declare class Device implements AsyncIterable<Packet> {
     get skipped(): number;
     /** The number of packets that can be read without waiting. */
     get waiting(): number;
+    /**
+     * The id of the device's model, such as "3dm-gx5-25", as which `packet.time` reads flags; undefined if it is not known.
+     * It is known from the device's answer to `identify`, which `stream` also asks for, or if you set it.
+     */
+    model: string | undefined;
     /**
      * Sends a command, waits for the reply and returns the response; undefined if it has none.
      *

@@ -125,7 +125,7 @@ export class Packet {
     }
 
     /** Returns its time by a clock of `mip-protocol/time`, in nanoseconds; null if that is not valid, undefined if it has none. */
-    time(clock, device) {
+    time(clock, device = this.model) {
         return clock.timeOf(this, device);
     }
 

@@ -4,10 +4,15 @@ import { MipError } from "./bytes.mjs";
 
 const LARGEST = 0xffff; // decimation
 
-/** @param rates a Map: class of a field -> Hz, 0 for the highest rate */
-export async function stream(device, session, rates, set) {
+/**
+ * @param rates a Map: class of a field -> Hz, 0 for the highest rate
+ * @param identified false to ask the device which model it is
+ */
+export async function stream(device, session, rates, set, identified) {
     if (!session) throw new MipError("session", "this package's specification has no commands for it");
     const number = setOf(rates, set);
+    // The device learns from the answer; without one, flags are read as those of no known model.
+    if (!identified) await device.exchange([session.identify()]);
     const { base, older } = await baseRate(device, session, number);
     const decimations = new Map([...rates].map(([kind, rate]) => [kind, decimation(base, rate)]));
     const nearest = new Map([...decimations].map(([kind, by]) => [kind, base / by]));

@@ -69,7 +69,7 @@ export class Times {
     }
 
     time(packet, clock) {
-        return clock.timeOf(packet, this.#device, this);
+        return clock.timeOf(packet, this.#device ?? packet.model, this);
     }
 
     get recognized() {

@@ -51,7 +51,7 @@ use crate::field::{Command, RawField};
 use crate::packet::{FromPacket, Packet, HOST, MAX_PACKET};
 use crate::parser::{copy, Parser};
 use crate::protocol::DescriptorSet;
-use crate::time::Time;
+use crate::time::{Time, Times};
 use crate::timed::{next_fields, Timed};
 
 mod all;
@@ -272,11 +272,30 @@ struct Core<const N: usize, const Q: usize> {
     client: Client<N>,
     parser: Parser,
     data: Queue<Q>,
+    /// Its profile, once the device has been asked what it is.
+    #[cfg(feature = "devices")]
+    model: Option<&'static crate::devices::Profile>,
 }
 
 impl<const N: usize, const Q: usize> Core<N, Q> {
     const fn new(client: Client<N>) -> Self {
-        Self { client, parser: Parser::new(), data: Queue::new() }
+        Self {
+            client,
+            parser: Parser::new(),
+            data: Queue::new(),
+            #[cfg(feature = "devices")]
+            model: None,
+        }
+    }
+
+    /// Returns what reads the times of this device's packets.
+    #[cfg_attr(not(feature = "devices"), allow(clippy::unused_self))]
+    fn times(&self) -> Times {
+        #[cfg(feature = "devices")]
+        if let Some(model) = self.model {
+            return Times::of(model);
+        }
+        Times::new()
     }
 
     /// Returns the part of a chunk to read into, which always fits into an empty queue.
@@ -326,6 +345,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         }
         self.client.give_up();
         self.client.clear();
+        self.model = None; // another device may be there
     }
 
     /// Returns the response to a command that no longer waits, and keeps it.
@@ -658,6 +678,13 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.port.baud()
     }
 
+    /// Borrows the device's profile, to keep it.
+    #[cfg(feature = "devices")]
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn model(&mut self) -> &mut Option<&'static crate::devices::Profile> {
+        &mut self.core.model
+    }
+
     /// Discards the data that was kept.
     #[allow(dead_code)] // without the features of command sets
     pub(crate) fn discard(&mut self) {
@@ -722,6 +749,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// times: a field, or a tuple of fields of one packet; see [`FromPacket`]. It ends when no packet
     /// arrives within this number of milliseconds.
     ///
+    /// The flags of times are read as those of the device's model, once `Device::profile` has asked
+    /// for it; with the feature `open`, `Device::stream` does.
+    ///
     /// ```
     /// # #[cfg(feature = "sensor")] mod example {
     /// use mip_protocol::device::{Device, DeviceError, Port};
@@ -737,7 +767,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// # }
     /// ```
     pub fn fields<F: FromPacket>(&mut self, wait_ms: u32) -> Timed<&mut Self, F> {
-        Timed::new(self, wait_ms)
+        let times = self.core.times();
+        Timed::new(self, times, wait_ms)
     }
 }
 

@@ -58,11 +58,12 @@ impl<F: FromPacket> Reader<F> {
 }
 
 impl<S, F> Timed<S, F> {
-    pub(crate) fn new(source: S, wait_ms: u32) -> Self {
-        Self { source, wait_ms, reader: Reader { times: Times::new(), fields: PhantomData } }
+    pub(crate) fn new(source: S, times: Times, wait_ms: u32) -> Self {
+        Self { source, wait_ms, reader: Reader { times, fields: PhantomData } }
     }
 
-    /// Reads the times of this device; see [`Times::of`].
+    /// Reads the times of this device; see [`Times::of`]. A `Device` that has been asked what it is,
+    /// by `profile` or `stream`, reads those of its own model without this.
     #[cfg(feature = "devices")]
     pub fn of_device(mut self, device: &crate::devices::Profile) -> Self {
         self.reader.times = Times::of(device);

@@ -1,6 +1,7 @@
 // For tools: finds the parts of the protocol's model, mip.json, by name and by descriptor.
 
 import { MipError, bytesOf, described } from "./bytes.mjs";
+import { modelNumber } from "./naming.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "./packet.mjs";
 
 /** The major version of mip.json's format that this code supports. */
@@ -74,8 +75,8 @@ export class Protocol {
 }
 
 export function deviceWithNumber({ model }, number) {
-    const digits = /^\s*(\d+)(?=[-. \0]|$)/.exec(String(number))?.[1];
-    return digits && model.devices?.find((device) => device.model_number === Number(digits));
+    const digits = modelNumber(number);
+    return digits && model.devices?.find((device) => device.model_number === digits);
 }
 
 export function placesOf(field) {

@@ -11,6 +11,12 @@ export function memberName(words) {
     return /^\d/.test(name) ? `_${name}` : TAKEN.has(name) ? `${name}_` : name;
 }
 
+/** Returns the number with which a model or serial number of the device information begins; undefined if there is none. */
+export function modelNumber(text) {
+    const digits = /^\s*(\d+)(?=[-. \0]|$)/.exec(String(text))?.[1];
+    return digits && Number(digits);
+}
+
 /** Finds a parameter of a field or a structure by its name. */
 export function parameterOf(record, name) {
     return record.parameters.find((parameter) => parameter.name === name) ?? caseOf(record, name);

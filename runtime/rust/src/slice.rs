@@ -4,6 +4,7 @@ use core::iter::FusedIterator;
 
 use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, judge, noise, Candidate};
+use crate::time::Times;
 use crate::timed::Timed;
 
 /// Iterates over the packets in these bytes, for example of a log that was read as a whole.
@@ -51,7 +52,7 @@ impl<'a> Packets<'a> {
     /// ```
     #[inline]
     pub fn fields<F: FromPacket>(self) -> Timed<Self, F> {
-        Timed::new(self, 0)
+        Timed::new(self, Times::new(), 0)
     }
 
     /// Returns the number of bytes so far that are not part of a packet, without the remainder.

@@ -7,7 +7,7 @@ use crate::error::DecodeError;
 use crate::owned::PacketBuf;
 use crate::packet::{FromPacket, Packet};
 use crate::parser::{judge, Candidate, Parser};
-use crate::time::Time;
+use crate::time::{Time, Times};
 use crate::timed::{next_fields, Timed};
 
 /// Reads packets from a source.
@@ -139,7 +139,7 @@ impl<R: Read> PacketReader<R> {
     /// # Ok(()) }
     /// ```
     pub fn fields<F: FromPacket>(&mut self) -> Timed<&mut Self, F> {
-        Timed::new(self, 0)
+        Timed::new(self, Times::new(), 0)
     }
 }
 

@@ -53,13 +53,18 @@ enum mip_time_state {
  * known. */
 MIP_API uint8_t mip_reading_of(const char *device);
 
+/** The same, by the model number of the device information: MIP_READING_UNKNOWN if the model is not
+ * known. Links no profiles. */
+MIP_API uint8_t mip_reading_of_model(uint16_t model_number);
+
 /**
  * Finds the time of a data packet by a clock, in nanoseconds: since 1970 in UTC if the clock has a
  * date, otherwise since its start.
  *
  * A time of week that is not valid as a date, or that has week 0, is the time of a clock without a
  * date. If several fields contain the time of a clock, the one with the lowest descriptor counts.
- * `reading` is the result of mip_reading_of. `time` is only changed if the time is valid.
+ * `reading` is the result of mip_reading_of or mip_reading_of_model. `time` is only changed if the
+ * time is valid.
  */
 MIP_API enum mip_time_state mip_time(const struct mip_packet *packet, uint8_t clock,
                                      uint8_t reading, int64_t *time);

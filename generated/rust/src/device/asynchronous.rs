@@ -258,7 +258,8 @@ where
     /// their times: `let mut data = device.fields::<ScaledAccel>(1000)`, and then
     /// `while let Some(found) = data.next().await`. See [`Device::fields`](super::Device::fields).
     pub fn fields<T: FromPacket>(&mut self, wait_ms: u32) -> Timed<&mut Self, T> {
-        Timed::new(self, wait_ms)
+        let times = self.core.times();
+        Timed::new(self, times, wait_ms)
     }
 
     /// Reads until the condition holds, or this number of milliseconds has passed.
@@ -304,6 +305,13 @@ where
         self.core.client.clear();
         self.discard();
         Ok(heard)
+    }
+
+    /// Borrows the device's profile, to keep it.
+    #[cfg(feature = "devices")]
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn model(&mut self) -> &mut Option<&'static crate::devices::Profile> {
+        &mut self.core.model
     }
 
     /// Discards the data that was kept.

@@ -315,7 +315,8 @@ impl DataHalf {
     /// Returns the fields `F` of the packets that [`DataHalf::next_packet`] would return, with their
     /// times; see [`AsyncDevice::fields`].
     pub fn fields<F: FromPacket>(&mut self, wait_ms: u32) -> Timed<&mut Self, F> {
-        Timed::new(self, wait_ms)
+        let times = self.shared.core().times();
+        Timed::new(self, times, wait_ms)
     }
 }
 

@@ -383,6 +383,10 @@ $($of)* {
         }
         self.tell::<crate::base::SetIdle>(&[])$($await)*?;
         self.discard();
+        #[cfg(feature = "devices")]
+        {
+            *self.model() = None; // it may be another device
+        }
         Ok(found)
     }
 
@@ -393,7 +397,8 @@ $($of)* {
     ///
     /// Fields that all sets share, such as time stamps, come first. If the device rejects the first
     /// command, the older commands for the set are used instead. Commands without a reply are
-    /// repeated.
+    /// repeated. With the feature `open`, it first asks which model the device is, unless that is
+    /// known.
     ///
     /// # Errors
     ///
@@ -411,6 +416,10 @@ $($of)* {
                 let error = EncodeError::set(rate.name, *first, set);
                 return Err(DeviceError::Request(error.into()).into());
             }
+        }
+        #[cfg(feature = "open")]
+        if self.model().is_none() {
+            answered(self.profile()$($await)*)?;
         }
         let read = [set.0];
         let current = self.ask::<crate::mip_3dm::GetBaseRate>(&read)$($await)*
@@ -492,6 +501,8 @@ $($of)* {
 
     /// Asks the device what it is, and returns its profile; `None` if it is newer than this crate.
     ///
+    /// From then on, `fields` reads the flags of times as those of this model.
+    ///
     /// # Errors
     ///
     /// The command fails, or the port.
@@ -502,7 +513,9 @@ $($of)* {
         let reply = self.ask::<crate::base::GetDeviceInfo>(&[])$($await)*?;
         let texts = [reply.device_info.model_number.as_str(), reply.device_info.serial_number.as_str()];
         let mut numbers = texts.iter().flatten().filter_map(|text| model_number(text));
-        Ok(numbers.find_map(Profile::by_model))
+        let found = numbers.find_map(Profile::by_model);
+        *self.model() = found;
+        Ok(found)
     }
 
     /// Finds the field for which the device has rejected a command that lists fields: asks the

@@ -127,12 +127,14 @@ def code(model: m.Model) -> Iterator[File]:
 def times(model: m.Model) -> Iterator[File]:
     """Yields what finds the times of packets."""
     sources, clocks = [*validity.clock_sources(model)], model.protocol.clocks
+    devices = model.derived(validity.reading_devices)
     facts = {
         "clocks": [{"of": c, "name": validity.clock_constant(c)} for c in clocks],
         "epochs": [c.epoch_days or 0 for c in clocks],
         "leaps": model.protocol.leaps,
         "sources": sources,
-        "groups": [*enumerate(model.derived(validity.reading_devices).groups, validity.USUAL + 1)],
+        "groups": [*enumerate(devices.groups, validity.USUAL + 1)],
+        "models": [(d.model_number, devices.of(d)) for d in model.devices if d.model_number],
         "most_parts": max((len(s.parts) for s in sources), default=1),
         "most_readings": max((1, *(len(s.readings) for s in sources))),
         "unknown": validity.UNKNOWN,

@@ -26,6 +26,9 @@ class Devices:
         """Returns the numbers of the groups that have a reading."""
         return [n for n, ids in enumerate(self.groups, USUAL + 1) if ids[0] in reading.devices]
 
+    def of(self, device: m.Device) -> int:
+        return next((n for n, ids in enumerate(self.groups, USUAL + 1) if device.id in ids), USUAL)
+
 
 def reading_devices(model: m.Model) -> Devices:
     by_device: dict[str, set[int]] = {}

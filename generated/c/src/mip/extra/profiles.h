@@ -519,16 +519,22 @@ extern MIP_API const struct mip_profile mip_profile_rtk;
  */
 extern MIP_API const struct mip_profile mip_profile_demod_dc;
 
-/** Finds the profile of a device by its device information. NULL if there is none, for example for
- * a newer device. Links the profiles of all devices. */
-static inline const struct mip_profile *
-mip_device_profile(const struct mip_base_get_device_info_response *identity) {
+/** Returns the model number in the device information, for example for mip_reading_of_model; 0 if
+ * it has none. Links no profiles. */
+static inline uint16_t mip_device_model(const struct mip_base_get_device_info_response *identity) {
     uint16_t number = mip_model_number(identity->device_info.model_number,
                                        sizeof(identity->device_info.model_number));
     number = number != 0 ? number
                          : mip_model_number(identity->device_info.serial_number,
                                             sizeof(identity->device_info.serial_number));
-    return mip_profile_by_model(number);
+    return number;
+}
+
+/** Finds the profile of a device by its device information. NULL if there is none, for example for
+ * a newer device. Links the profiles of all devices. */
+static inline const struct mip_profile *
+mip_device_profile(const struct mip_base_get_device_info_response *identity) {
+    return mip_profile_by_model(mip_device_model(identity));
 }
 
 #ifdef __cplusplus

@@ -205,6 +205,24 @@ uint8_t mip_reading_of(const char *device) {
     return MIP_READING_USUAL;
 }
 
+uint8_t mip_reading_of_model(uint16_t model_number) {
+    static const struct {
+        uint16_t model;
+        uint8_t reading;
+    } models[] = {{6259, 2}, {6258, 2}, {6257, 2}, {6286, 1}, {6287, 1}, {6292, 1}, {6291, 1},
+                  {6275, 2}, {6274, 2}, {6273, 2}, {6271, 2}, {6701, 1}, {6700, 1}, {6702, 1},
+                  {6219, 1}, {6250, 1}, {6284, 1}, {6288, 1}, {6289, 1}, {6290, 1}, {6227, 1},
+                  {6223, 1}, {6225, 1}, {6228, 1}, {6233, 2}, {6234, 2}, {6236, 2}, {6237, 1},
+                  {6254, 2}, {6253, 2}, {6252, 2}, {6251, 2}, {6243, 1}, {6232, 1}, {6239, 1},
+                  {6238, 1}, {6285, 1}, {6130, 1}};
+    for (size_t i = 0; i < sizeof(models) / sizeof(models[0]); i++) {
+        if (models[i].model == model_number) {
+            return models[i].reading;
+        }
+    }
+    return MIP_READING_UNKNOWN;
+}
+
 static uint64_t number(const uint8_t *bytes, size_t size) {
     uint64_t value = 0;
     for (size_t i = 0; i < size; i++) {
