@@ -91,6 +91,17 @@ def test_frames_belong_to_the_family() -> None:
         assert frames["filter.antenna_offset.offset"] == "sensor"
 
 
+def test_what_a_family_states_holds_for_fields_that_a_device_may_have() -> None:
+    """No source states that the 3DM-GX3-25 sends its GPS timestamp; if it does, the flags are those of its generation."""
+    for name in ("3dm-gx3-25", "3dm-gq4-45", "3dm-mv5-ar"):
+        d = device(name, REAL)
+        assert "sensor.gps_timestamp" not in names(d)
+        assert {"sensor.gps_timestamp.tow", "sensor.gps_timestamp.valid_flags"} <= {v.path for v in d.variants}
+    flags = some(REAL.field("filter.mag_magnitude_error_adaptive_measurement")).parameters[0]
+    without = [d.id for d in REAL.devices if d.hardware.lacking(("magnetometer",))]
+    assert without and not {v.key for v in flags.variants} & {*without}
+
+
 # --------------------------------------------------------------------------- one file
 
 

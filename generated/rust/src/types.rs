@@ -1673,12 +1673,16 @@ bitfield! {
 /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
 /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
 /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-/// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+/// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+/// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
+/// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+/// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
 /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-/// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-/// [`Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
-/// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
-/// [`Gx5SensorGpsTimestampFlags`].
+/// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+/// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+/// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx5SensorGpsTimestampFlags`] (inferred:
+/// the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+/// [3DM-GX5-35](crate::devices::GX5_35): values of [`Gx5SensorGpsTimestampFlags`].
 #[cfg(feature = "sensor")]
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {

@@ -226,7 +226,7 @@ class _Device:
         support = (*support, *self.without_hardware(support, without))
         complete = self.complete_sets(statements)
         support = (*support, *self.unlisted(support, complete))
-        self.check_varies(supports)
+        self.check_varies(supports, support)
         like = node.scalar("like")
         return m.Device(
             id=self.id,
@@ -461,8 +461,11 @@ class _Device:
 
     # ----------------------------------------------------------------------- what differs
 
-    def check_varies(self, supports: tuple[m.Support, ...]) -> None:
-        """Requires that variations are for supported fields, and that parameters which vary by device have one."""
+    def check_varies(self, supports: tuple[m.Support, ...], support: tuple[m.Support, ...]) -> None:
+        """Requires that variations are for fields that the device may have, and that parameters which vary by device
+        have one."""
+        incomplete = bool(texts_of_node(self.node, "incomplete"))
+        absent = {s.field.full_name for s in support if s.evidence.answer == "no"}
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
         supported = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list has no readings
         untold = {
@@ -474,7 +477,8 @@ class _Device:
         names = {name for f in (self.model.protocol.acknowledge, *fields) for name in f.names}
         for path in self.node["varies"].value if "varies" in self.node else ():
             name = path.rpartition(".")[0]
-            if self.model.field(name) is not None and name not in names:
+            f = self.model.field(name)
+            if f is not None and name not in names and not (incomplete and f.full_name not in absent):
                 self.unsupported("varies", path, name)
         for f in {f.full_name: f for f in fields}.values():
             for p in f.parameters:

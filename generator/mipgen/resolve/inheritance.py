@@ -102,12 +102,13 @@ class _Heir:
                 value.setdefault(key, self.parent[key])
         if "sources" in self.parent:
             value["sources"] = self.listed("sources", [*self.parent["sources"], *(self.own.get("sources") or ())])
-        lacked = self.lacked() | self.impossible(replace(self.own, value=value))
+        whole = replace(self.own, value=value)
+        lacked = self.lacked() | self.impossible(whole, {*_fields(self.parent.get("supports")), *self.kinds})
         value["supports"] = self.supports(lacked)
         value["evidence"] = self.evidence(lacked)
         has = self.names(value["supports"], value["evidence"])
         for key in KEYED:
-            value[key] = self.keyed(key, has)
+            value[key] = self.keyed(key, has if key != "varies" else has | self.possible(whole, lacked))
         for key in NAMED:
             value[key] = self.named(key)
         keys = {key: self.own.keys.get(key, self.own.position) for key in value}
@@ -132,17 +133,23 @@ class _Heir:
             names.add(full)
         return names
 
-    def impossible(self, node: Node) -> set[str]:
-        """Returns the fields of the other device for which this one lacks the hardware, and those of the sets that its
-        own manual lists completely."""
+    def impossible(self, node: Node, names: set[str]) -> set[str]:
+        """Returns the fields for which this device lacks the hardware, and those of the sets that its own manual lists
+        completely."""
         has, of = hardware(node), {s.name: s for s in self.model.sets}
         whole = self.own["complete"].plain() if "complete" in self.own else ()
-        names = {*_fields(self.parent.get("supports")), *self.kinds}
         fields = {name: f for name in names if (f := self.model.field(name)) is not None}
         lacking = {
             x for x, f in fields.items() if has.lacking(needed_hardware(f, of.get(x.partition(".")[0]))) is not None
         }
         return lacking | {name for name in names if name.partition(".")[0] in whole}
+
+    def possible(self, node: Node, lacked: set[str]) -> set[str]:
+        """Returns the fields that an incomplete profile does not exclude: if the device has one of them, it reads it as
+        its family does."""
+        names = {name for f in self.model.fields for name in f.names} if "incomplete" in node else set[str]()
+        refused = {full for full, kind in (*self.kinds.items(), *_kinds(self.own).items()) if kind == "refused"}
+        return names - lacked - refused - self.impossible(node, names)
 
     def supports(self, lacked: set[str]) -> Node:
         """Returns the fields of the other device without those that are lacked, then those that are added."""

@@ -231,6 +231,21 @@ pub static CV5_10: Profile = Profile {
             read_as: Some("gx5_sensor_gps_timestamp_flags"),
             difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
         },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -2853,6 +2868,21 @@ pub static CX5_10: Profile = Profile {
             read_as: Some("gx5_sensor_gps_timestamp_flags"),
             difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
         },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -4717,6 +4747,36 @@ pub static DH3: Profile = Profile {
             read_as: Some("legacy_data_stream"),
             difference: "values of legacy_data_stream",
         },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -4911,6 +4971,36 @@ pub static GQ4_45: Profile = Profile {
             parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
             read_as: None,
             difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -6461,6 +6551,36 @@ pub static GX3_15: Profile = Profile {
             read_as: Some("legacy_data_stream"),
             difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -6626,6 +6746,21 @@ pub static GX3_25: Profile = Profile {
             read_as: Some("legacy_data_stream"),
             difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
     ],
     ack_codes: &[
     ],
@@ -6741,6 +6876,36 @@ pub static GX3_35: Profile = Profile {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
             difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -6918,6 +7083,36 @@ pub static GX3_45: Profile = Profile {
             parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
             read_as: None,
             difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[
@@ -9134,6 +9329,36 @@ pub static MV5_AR: Profile = Profile {
             read_as: Some("legacy_data_stream"),
             difference: "values of legacy_data_stream; only all_streams, imu and filter",
         },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -9335,6 +9560,36 @@ pub static RQ1_45_LT: Profile = Profile {
             read_as: None,
             difference: "only disabled and fixed",
         },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -9535,6 +9790,36 @@ pub static RQ1_45_ST: Profile = Profile {
             parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
             read_as: None,
             difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[

@@ -837,9 +837,14 @@ record! {
         /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
         /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
         /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
+        /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): valid if
+        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
         /// [3DM-GX5-35](crate::devices::GX5_35): valid if
@@ -854,9 +859,14 @@ record! {
         /// set. On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
         /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
         /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
+        /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): valid if
+        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
         /// [3DM-GX5-35](crate::devices::GX5_35): valid if
@@ -868,9 +878,14 @@ record! {
         /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
         /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
         /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
+        /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
+        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of
         /// [`types::Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
         /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
         /// [`types::Gx5SensorGpsTimestampFlags`].
@@ -903,12 +918,16 @@ impl GpsTimestamp {
     /// On the [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
     /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
-    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25) and [3DM-GX5-45](crate::devices::GX5_45): values of
-    /// [`types::Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
-    /// [`types::Gx5SensorGpsTimestampFlags`].
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`types::Gx5SensorGpsTimestampFlags`]
+    /// (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35): values of [`types::Gx5SensorGpsTimestampFlags`].
     #[inline]
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
@@ -942,13 +961,22 @@ impl GpsTimestamp {
             | "3dm-cx5-15"
             | "3dm-cx5-25"
             | "3dm-cx5-45"
+            | "3dm-dh3"
+            | "3dm-gq4-45"
+            | "3dm-gx3-15"
+            | "3dm-gx3-25"
+            | "3dm-gx3-35"
+            | "3dm-gx3-45"
             | "3dm-gx4-15"
             | "3dm-gx4-25"
             | "3dm-gx4-45"
             | "3dm-gx5-15"
             | "3dm-gx5-25"
             | "3dm-gx5-35"
-            | "3dm-gx5-45" => {
+            | "3dm-gx5-45"
+            | "3dm-mv5-ar"
+            | "3dm-rq1-45-lt"
+            | "3dm-rq1-45-st" => {
                 flag!(self valid_flags 0x4)
             }
             _ => {
@@ -981,13 +1009,22 @@ impl GpsTimestamp {
             | "3dm-cx5-15"
             | "3dm-cx5-25"
             | "3dm-cx5-45"
+            | "3dm-dh3"
+            | "3dm-gq4-45"
+            | "3dm-gx3-15"
+            | "3dm-gx3-25"
+            | "3dm-gx3-35"
+            | "3dm-gx3-45"
             | "3dm-gx4-15"
             | "3dm-gx4-25"
             | "3dm-gx4-45"
             | "3dm-gx5-15"
             | "3dm-gx5-25"
             | "3dm-gx5-35"
-            | "3dm-gx5-45" => {
+            | "3dm-gx5-45"
+            | "3dm-mv5-ar"
+            | "3dm-rq1-45-lt"
+            | "3dm-rq1-45-st" => {
                 flag!(self valid_flags 0x4)
             }
             _ => {

@@ -68,6 +68,9 @@ static const struct mip_profile_reading cv5_10_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cv5_10 = {
@@ -84,7 +87,7 @@ const struct mip_profile mip_profile_cv5_10 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    4,    /* readings */
+    7,    /* readings */
     cv5_10_also,
     cv5_10_incomplete,
     cv5_10_fields,
@@ -1127,6 +1130,9 @@ static const struct mip_profile_reading cx5_10_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_cx5_10 = {
@@ -1143,7 +1149,7 @@ const struct mip_profile mip_profile_cx5_10 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    4,    /* readings */
+    7,    /* readings */
     cx5_10_also,
     cx5_10_incomplete,
     cx5_10_fields,
@@ -1951,6 +1957,10 @@ static const struct mip_profile_field dh3_fields[] = {
 static const struct mip_profile_reading dh3_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_dh3 = {
@@ -1964,7 +1974,7 @@ const struct mip_profile mip_profile_dh3 = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    6,    /* readings */
     NULL,      dh3_incomplete, dh3_fields, NULL,
     NULL,      NULL,           NULL,       dh3_readings,
 };
@@ -2036,6 +2046,10 @@ static const struct mip_profile_field gq4_45_absent_sets[] = {
 static const struct mip_profile_reading gq4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gq4_45 = {
@@ -2052,7 +2066,7 @@ const struct mip_profile mip_profile_gq4_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    6,    /* readings */
     NULL,
     gq4_45_incomplete,
     gq4_45_fields,
@@ -2662,6 +2676,10 @@ static const struct mip_profile_field gx3_15_absent_sets[] = {
 static const struct mip_profile_reading gx3_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx3_15 = {
@@ -2678,7 +2696,7 @@ const struct mip_profile mip_profile_gx3_15 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    6,    /* readings */
     NULL,
     gx3_15_incomplete,
     gx3_15_fields,
@@ -2754,6 +2772,7 @@ static const struct mip_profile_field gx3_25_absent_sets[] = {
 static const struct mip_profile_reading gx3_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
 };
 
 const struct mip_profile mip_profile_gx3_25 = {
@@ -2770,7 +2789,7 @@ const struct mip_profile mip_profile_gx3_25 = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    3,    /* readings */
     NULL,
     gx3_25_incomplete,
     gx3_25_fields,
@@ -2828,6 +2847,10 @@ static const struct mip_profile_field gx3_35_absent_sets[] = {
 static const struct mip_profile_reading gx3_35_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx3_35 = {
@@ -2844,7 +2867,7 @@ const struct mip_profile mip_profile_gx3_35 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    6,    /* readings */
     NULL,
     gx3_35_incomplete,
     gx3_35_fields,
@@ -2915,6 +2938,10 @@ static const struct mip_profile_field gx3_45_absent_sets[] = {
 static const struct mip_profile_reading gx3_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_gx3_45 = {
@@ -2931,7 +2958,7 @@ const struct mip_profile mip_profile_gx3_45 = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    6,    /* readings */
     NULL,
     gx3_45_incomplete,
     gx3_45_fields,
@@ -3889,6 +3916,10 @@ static const struct mip_profile_field mv5_ar_absent_sets[] = {
 static const struct mip_profile_reading mv5_ar_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_mv5_ar = {
@@ -3905,7 +3936,7 @@ const struct mip_profile mip_profile_mv5_ar = {
     4,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    2,    /* readings */
+    6,    /* readings */
     mv5_ar_also,
     mv5_ar_incomplete,
     mv5_ar_fields,
@@ -3987,6 +4018,10 @@ static const struct mip_profile_reading rq1_45_lt_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.device_status_basic_response.system_state", "3dm.gx4_system_state"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_rq1_45_lt = {
@@ -4003,7 +4038,7 @@ const struct mip_profile mip_profile_rq1_45_lt = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    3,    /* readings */
+    7,    /* readings */
     rq1_45_lt_also,
     rq1_45_lt_incomplete,
     rq1_45_lt_fields,
@@ -4083,6 +4118,10 @@ static const struct mip_profile_reading rq1_45_st_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.device_status_basic_response.system_state", "3dm.gx4_system_state"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
 };
 
 const struct mip_profile mip_profile_rq1_45_st = {
@@ -4099,7 +4138,7 @@ const struct mip_profile mip_profile_rq1_45_st = {
     1,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    3,    /* readings */
+    7,    /* readings */
     rq1_45_st_also,
     rq1_45_st_incomplete,
     rq1_45_st_fields,
