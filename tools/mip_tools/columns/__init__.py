@@ -2,9 +2,8 @@
 
 Needs NumPy, the extra `numpy`; frames also need pandas, Polars or PyArrow.
 
-kernel.c does the same as `scan` and `walk`, if tools/setup.py compiled it. `tests/tools/test_columns.py` compares
-columns with objects, compiled code with Python, and both wheels; `tests/tools/test_log_tables.py` compares tables
-with plain rows.
+`tests/tools/test_columns.py` compares columns with objects; `tests/tools/test_log_tables.py` compares tables with plain
+rows.
 """
 
 from __future__ import annotations
@@ -28,7 +27,6 @@ else:
     from .contents import TypeCount
     from .general import Ragged
     from .log import Log, read_log
-    from .native import compiled
     from .stamps import Times
 
-__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "compiled", "read_log"]
+__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "read_log"]
