@@ -21,7 +21,6 @@ examples:
   mipgen generate --target c --without extra,cpp
                                             C without the folders that a program can do without
   mipgen generate --spec spec --spec mine   with your own fields as an overlay
-  mipgen generate --plugin ./csv.js         with your own program as a further target
   mipgen check                              is ./generated up to date?
 
 'mipgen COMMAND --help' describes a command. Results that are slow to compute are cached in
@@ -178,14 +177,6 @@ def _output(group: Any) -> None:
         default=[],
         metavar="PART[,PART]",
         help="leave out these parts of a target, such as extra,cpp of c",
-    )
-    group.add_argument(
-        "--plugin",
-        action="append",
-        dest="plugins",
-        default=[],
-        metavar="[NAME=]PROGRAM",
-        help="a program that reads the model as JSON and writes files as JSON; may be repeated",
     )
 
 

@@ -55,7 +55,7 @@ def generate(options: Namespace) -> int:
         _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
-    others = discovery.targets(options.target_path, options.plugins).keys() - {source.name for source in sources}
+    others = discovery.targets(options.target_path).keys() - {source.name for source in sources}
     rest = f"left out: {', '.join(sorted(others))}" if others else "nothing was left out"
     print(f"{options.out}: {sum(r[2] for r in rows)} files, {sum(r[3] for r in rows)} changed; {rest}")
     return 0
@@ -88,7 +88,7 @@ def _repeated_options(options: Namespace) -> str:
     arguments = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     arguments += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
     arguments += [("--target", options.targets or ()), ("--target-path", options.target_path)]
-    arguments += [("--without", options.without), ("--plugin", options.plugins)]
+    arguments += [("--without", options.without)]
     certain = " --certain" if getattr(options, "certain", False) else ""
     return "".join(f" {option} {shlex.quote(str(value))}" for option, values in arguments for value in values) + certain
 
@@ -97,9 +97,9 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     """Returns the selected targets, and a key of everything on which their output depends."""
     specs = _specs(options)
     without = getattr(options, "without", ())
-    sources = discovery.chosen(options.targets, options.target_path, getattr(options, "plugins", ()), without)
-    if any(source.module or source.program for source in sources):
-        return sources, None  # the inputs of a user's module or program are unknown
+    sources = discovery.chosen(options.targets, options.target_path, without)
+    if any(source.module for source in sources):
+        return sources, None  # the inputs of a user's module are unknown
     names = (source.name for source in sources)
     return sources, stamp.run_key([*specs, *options.target_path], options.run, _part(options), str(len(specs)), *names)
 

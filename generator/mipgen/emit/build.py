@@ -9,7 +9,7 @@ from mipgen.base import parallel
 from mipgen.model import Model
 from mipgen.read.problems import Problem, Problems, SpecError
 
-from . import discovery, naming, render
+from . import naming, render
 from .discovery import Source
 
 
@@ -30,7 +30,7 @@ def check_names(model: Model, sources: Sequence[Source]) -> None:
 
 
 def make(model: Model, sources: Sequence[Source]) -> list[Output]:
-    """Makes the output of each target, in its own process; then those of plugins, which run in this process."""
+    """Makes the output of each target, in its own process."""
 
     def make_each(group: Sequence[Source]) -> list[Output]:
         return [make_one(source) for source in group]
@@ -44,20 +44,11 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
 
     from . import templating  # noqa: F401 (imports Jinja and targets once, instead of in each process)
 
-    in_python = [source for source in sources if source.program is None]
     groups: dict[str, list[Source]] = {}
-    for source in sorted(in_python, key=lambda source: not source.load().slow):
+    for source in sorted(sources, key=lambda source: not source.load().slow):
         groups.setdefault(source.load().beside or source.name, []).append(source)
     made = {output.name: output for outputs in parallel.each(make_each, list(groups.values())) for output in outputs}
     _raise([problem for output in made.values() for problem in output.problems])
-    if len(in_python) < len(sources):
-        from . import plugins
-
-        document = render.render(discovery.built_in("json"), model)["mip.json"]
-        for source in sources:
-            if source.program is not None:
-                title, files = plugins.run(source.name, source.program, document)
-                made[source.name] = Output(source.name, title, files, [])
     return [made[source.name] for source in sources]
 
 

@@ -3,7 +3,7 @@
 Built-in targets are the packages of `mipgen.targets`, with templates in `templates/<name>/` and files that are
 copied unchanged in `runtime/<name>/`. A user's folder (`--target-path`) contains a folder `<name>/` for each
 target, with templates, a `target.py` and perhaps `runtime/`. If it has the name of a built-in target, its files
-take precedence. A plugin (`--plugin`) is a program, see `plugins`. Each module defines `TARGET`, a `Target`.
+take precedence. Each module defines `TARGET`, a `Target`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,6 @@ class Source:
     folders: tuple[Path, ...]  # of templates; the first folder that contains a file takes precedence
     runtimes: tuple[Path, ...]  # of files that are copied unchanged, likewise
     module: Path | None = None  # the user's target.py
-    program: str | None = None  # the program of a plugin, which consists of nothing else
     without: tuple[str, ...] = ()  # the parts to leave out
 
     @property
@@ -81,7 +80,7 @@ def target_names() -> list[str]:
     return sorted(module.name for module in pkgutil.iter_modules(importlib.import_module(BUILT_IN).__path__))
 
 
-def targets(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
+def targets(paths: Sequence[Path] = ()) -> dict[str, Source]:
     """Returns all targets by name, in order; earlier folders take precedence."""
     by_name = {name: built_in(name) for name in target_names()}
     for path in reversed(paths):
@@ -97,15 +96,6 @@ def targets(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str
                 (folder / RUNTIME, *(before.runtimes if before else ())),
                 module if module.is_file() else before.module if before else None,
             )
-    for plugin in plugins:
-        from .plugins import parse
-
-        name, program = parse(plugin)
-        if name in by_name:
-            raise Failure(
-                f"a target '{name}' already exists; choose another name: --plugin NAME=PROGRAM", f"plugin {plugin}"
-            )
-        by_name[name] = Source(name, (), (), program=program)
     return dict(sorted(by_name.items()))
 
 
@@ -114,23 +104,18 @@ def built_in(name: str) -> Source:
     return Source(name, (root / "templates" / name,), (root / RUNTIME / name,))
 
 
-def chosen(
-    wanted: Sequence[str] | None,
-    paths: Sequence[Path] = (),
-    plugins: Sequence[str] = (),
-    without: Sequence[str] = (),
-) -> list[Source]:
-    """Returns the selected targets, or all, without these parts; plugins are always included."""
-    by_name = targets(paths, plugins)
+def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), without: Sequence[str] = ()) -> list[Source]:
+    """Returns the selected targets, or all, without these parts."""
+    by_name = targets(paths)
     for name in wanted or ():
         if name not in by_name:
             raise Failure(f"unknown target '{name}'{nearest(name, by_name)}")
-    sources = [source for name, source in by_name.items() if not wanted or name in wanted or source.program]
+    sources = [source for name, source in by_name.items() if not wanted or name in wanted]
     return _without(sources, without) if without else sources
 
 
 def _without(sources: list[Source], names: Sequence[str]) -> list[Source]:
-    parts = {source.name: () if source.program else sorted(source.load().parts) for source in sources}
+    parts = {source.name: sorted(source.load().parts) for source in sources}
     known = "; ".join(f"{name} has {', '.join(of)}" for name, of in parts.items() if of)
     for name in names:
         if not any(name in of for of in parts.values()):

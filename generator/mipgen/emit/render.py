@@ -64,8 +64,6 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
 def paths(source: Source, model: Model) -> Iterator[Identifier]:
     """Yields the path of each file of a target, first of those that are the same for every specification."""
     target, whole = source.load(), model.protocol.position
-    if source.program is not None:
-        return
     files = [file for file in target.files(model) if isinstance(file, File)]
     made: set[str] = set()
     for path in ("LICENSE", *target.runtime(_runtime(source), model), *(f.path for f in files if f.of is None)):
