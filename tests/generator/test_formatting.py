@@ -38,12 +38,6 @@ def test_files_of_the_language_are_formatted(formatter: Formatter, made: dict[st
     assert formatted(formatter, made) == {**made, **{p: WELL[p] for p in made if p in WELL}}
 
 
-def test_what_is_marked_as_final_stays_as_it_is() -> None:
-    final = CLANG_FORMAT.final("int  x;").encode() + b"\n"
-    made = {**C, "a.c": final + C["a.c"] + final + C["a.c"]}
-    assert formatted(CLANG_FORMAT, made) == {**made, "a.c": 2 * (b"int  x;\n" + WELL["a.c"])}
-
-
 @pytest.mark.parametrize(("formatter", "made"), [(CLANG_FORMAT, C), (RUFF, PYTHON)], ids=["c", "python"])
 def test_neither_the_folder_nor_the_path_matters(
     formatter: Formatter, made: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -7,7 +7,6 @@ so that running the same tool there changes nothing.
 from __future__ import annotations
 
 import importlib
-import re
 import subprocess
 import tempfile
 from collections.abc import Callable, Mapping
@@ -26,7 +25,6 @@ class Formatter:
     suffixes: tuple[str, ...]  # of files to format
     style: str  # the style file, at the top of the output
     steps: tuple[tuple[str, ...], ...]  # the arguments of each run, without the files
-    comment: str = "//"  # begins a comment that is a line
 
     def version(self) -> str:
         from importlib.metadata import PackageNotFoundError, version  # slow to import
@@ -35,23 +33,6 @@ class Formatter:
             return version(self.package)
         except PackageNotFoundError:
             raise FormatError(f"{self.package} is missing; pip install {self.package}") from None
-
-    def final(self, text: str) -> str:
-        """Marks lines that are in their final layout: the program does not see them."""
-        return f"{self.comment} final: begin\n{text}\n{self.comment} final: end"
-
-    def cut(self, data: bytes) -> tuple[bytes, list[bytes]]:
-        """Replaces such lines by a comment each, and returns them."""
-        mark = self.comment.encode() + b" final: "
-        before, *parts = data.split(mark + b"begin\n")
-        pairs = [part.split(mark + b"end\n", 1) for part in parts]
-        rest = b"".join(mark + b"%d\n%b" % (i, after) for i, (_, after) in enumerate(pairs))
-        return before + rest, [lines for lines, _ in pairs]
-
-    def joined(self, data: bytes, final: list[bytes]) -> bytes:
-        """Puts the lines back in place of the comments."""
-        before, *parts = re.split(re.escape(self.comment).encode() + rb" final: [0-9]+\n", data)
-        return before + b"".join(lines + part for lines, part in zip(final, parts, strict=True))
 
 
 class FormatError(Failure):
@@ -84,7 +65,6 @@ RUFF = Formatter(
         ("check", "--no-cache", "--config=pyproject.toml", "--select=F401,I", "--fix-only"),
         ("format", "--no-cache", "--config=pyproject.toml"),
     ),
-    comment="#",
 )
 
 
@@ -109,17 +89,15 @@ def _run(formatter: Formatter, made: Mapping[str, bytes], wanted: list[str]) -> 
     needed = {formatter.style, *wanted}
     with tempfile.TemporaryDirectory(prefix="mipgen-") as name:
         folder = Path(name)
-        final: dict[str, list[bytes]] = {}
         for path, data in made.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            rest, final[path] = formatter.cut(data) if path in needed else (b"", [])
-            (folder / path).write_bytes(rest)
+            (folder / path).write_bytes(data if path in needed else b"")
         for step in formatter.steps:
             if _ran(formatter, step, wanted, folder).returncode != 0:
                 failed = {path: _ran(formatter, step, [path], folder) for path in wanted}
                 texts = [f"{path}: {_message(done)}" for path, done in failed.items() if done.returncode != 0]
                 raise FormatError("\n".join([f"{formatter.package} cannot format the generated files:", *texts]))
-        return {path: formatter.joined((folder / path).read_bytes(), final[path]) for path in wanted}
+        return {path: (folder / path).read_bytes() for path in wanted}
 
 
 def _ran(

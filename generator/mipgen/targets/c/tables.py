@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
-from mipgen.emit import package
-from mipgen.emit.formatting import CLANG_FORMAT
 from mipgen.emit.naming import upper
 from mipgen.lower.memory import stored
 
@@ -57,57 +55,19 @@ def registry(model: m.Model) -> Registry:
     # set 0 is that of the acknowledge, and represents all command sets
     sets = [(acknowledge.set, "0, 1", acknowledge.family), *((s.number, places[s.family], s.name) for s in model.sets)]
     rows = [f"{{{literals.hexadecimal(number)}, {place}, {literals.string(name)}}}" for number, place, name in sets]
-    table = array("const struct mip_entry mip_registry[]", entries, model.protocol.package)
+    table = array("const struct mip_entry mip_registry[]", entries)
     return Registry(table, rows, [", ".join(x) for x in links if x])
 
 
 # --------------------------------------------------------------------------- reflection
 
-_WIDTH = 100  # columns, as in .clang-format
-
 #: Kinds of parameters with a different name in C.
 _KINDS = {"scalar": "NUMBER", "switch": "UNION"}
 
 
-def array(declaration: str, rows: Sequence[Sequence[str]], name: str = m.OWN_PACKAGE) -> str:
-    """Defines an array of structures in its final layout: that of clang-format, which takes long, and much memory, for
-    such tables. `name` is that of the package, which the text contains later.
-
-    >>> a, b, c = "a" * 60, "b" * 30, "c" * 60
-    >>> print(array("static const struct pair pairs[]", [[a, b, "1"], [b, f"f({a}, {c})", "2"]]))
-    // final: begin
-    static const struct pair pairs[] = {
-        {aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, bbbbbbbbbbbbbbbbbbbbbbbbbbbbbb,
-         1},
-        {bbbbbbbbbbbbbbbbbbbbbbbbbbbbbb,
-         f(aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa,
-           cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc),
-         2},
-    };
-    // final: end
-    """
-    length = len if name == m.OWN_PACKAGE else lambda text: len(package.everywhere(text, name))
-    begin, indent = (" = {", 4) if length(declaration) + len(" = {") <= _WIDTH else (" =\n    {", 8)
-    lines = [line for row in rows for line in _row(row, " " * indent, length)]
-    return CLANG_FORMAT.final("\n".join([declaration + begin, *lines, "};"]))
-
-
-def _row(members: Sequence[str], indent: str, length: Callable[[str], int]) -> list[str]:
-    """Returns the lines of a structure: as many members on a line as fit, and a call on two lines if it is too long."""
-    lines, end = [f"{indent}{{{members[0]},"], len(indent) + length(members[0]) + 2
-    for text in (*(f"{each}," for each in members[1:-1]), f"{members[-1]}}},"):
-        size = 1 + length(text)
-        if end + size <= _WIDTH:
-            lines[-1] += f" {text}"
-            end += size
-        elif len(indent) + size <= _WIDTH or ", " not in text:
-            lines.append(f"{indent} {text}")
-            end = len(indent) + size
-        else:
-            call, _, rest = text.partition(", ")
-            lines += [f"{indent} {call},", " " * (len(indent) + 2 + length(call[: call.index("(")])) + rest, indent]
-            end = len(indent)
-    return [line for line in lines if line.strip()]
+def array(declaration: str, rows: Sequence[Sequence[str]]) -> str:
+    """Defines an array of structures, each of which begins a line."""
+    return "\n".join([f"{declaration} = {{", *(f"{{{', '.join(row)}}}," for row in rows), "};"])
 
 
 def reflected(r: m.Record, model: m.Model) -> Iterator[tuple[str, list[list[str]]]]:

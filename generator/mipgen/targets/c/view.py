@@ -156,8 +156,7 @@ class Record:
     @property
     def tables(self) -> list[str]:
         """The tables that describe its parameters."""
-        package = self.model.protocol.package
-        return [tables.array(declaration, rows, package) for declaration, rows in tables.reflected(self.of, self.model)]
+        return [tables.array(declaration, rows) for declaration, rows in tables.reflected(self.of, self.model)]
 
 
 def record(r: m.Record, model: m.Model) -> Record:
@@ -378,7 +377,7 @@ class Library:
     def reflections(self) -> str:
         """The table of all fields."""
         rows = [f.reflection for f in self.fields]
-        return tables.array("const struct mip_reflection mip_reflections[]", rows, self.model.protocol.package)
+        return tables.array("const struct mip_reflection mip_reflections[]", rows)
 
     @cached_property
     def function_selector(self) -> Named:
