@@ -1,7 +1,8 @@
 """Columns of a log with NumPy, relative to a hand-written loop: `python tests/bench/bench_columns.py`.
 
 The loop unpacks each field with a fixed struct, keeps the values in lists, and checks no checksum.
-All run in turn, measured in the CPU time of this process; the median of the ratios counts.
+All run in turn, measured in the CPU time of this process; the median of the ratios counts. The compiled code is the
+innermost loops, which platform wheels include.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import random
 import statistics
 import struct
+import subprocess
 import sys
 import time
 from collections.abc import Callable
@@ -19,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "generated/python"))
 sys.path.insert(0, str(Path(__file__).parents[2] / "tools"))
 
 from mip_protocol import filter_data, sensor, shared
-from mip_tools.columns import read_log
+from mip_tools.columns import native, read_log
 
 PACKETS = 600_000
 ROUNDS = 7
@@ -82,12 +84,12 @@ def frame(data: bytes) -> object:
     return read_log(data).frame([sensor.ScaledAccel, sensor.ScaledGyro])
 
 
-TASKS: dict[str, Callable[[bytes], object]] = {
-    "index: packets by set and length": lambda data: read_log(data).packets,
-    "index, time and three fields": three,
-    "all columns": lambda data: read_log(data).columns(TYPES),
-    "pandas frame of two fields": frame,
-    "types, counts and rates": lambda data: read_log(data).types(),
+TASKS: dict[str, tuple[Callable[[bytes], object], int]] = {
+    "index: packets by set and length": (lambda data: read_log(data).packets, 14),
+    "index, time and three fields": (three, 10),
+    "all columns": (lambda data: read_log(data).columns(TYPES), 8),
+    "pandas frame of two fields": (frame, 0),
+    "types, counts and rates": (lambda data: read_log(data).types(), 0),
 }
 
 
@@ -99,25 +101,40 @@ def seconds(task: Callable[[bytes], object], data: bytes) -> float:
     return took
 
 
+def kernels() -> dict[str, native.Kernel | None]:
+    """NumPy alone, and the compiled code if there is a compiler."""
+    folder = Path(__file__).parents[2] / "build/bench"
+    folder.mkdir(parents=True, exist_ok=True)
+    source, made = Path(native.__file__).with_name("kernel.c"), folder / "_kernel.so"
+    try:
+        subprocess.run(["cc", "-std=c99", "-O3", "-shared", "-fPIC", "-o", made, source], check=True)
+        return {"NumPy": None, "compiled": native.Kernel(made)}
+    except (OSError, subprocess.CalledProcessError):
+        return {"NumPy": None}
+
+
 def report() -> str:
-    lines = []
+    lines, ways = [], kernels()
     for shuffled in (False, True):
         data = stream(PACKETS, shuffled)
         order = "shuffled packets" if shuffled else "packets in their order"
         lines += [f"\ncolumns, {len(data) / 1e6:.0f} MB of {order}, {len(data) / PACKETS:.0f} bytes each", ""]
-        lines.append(f"{'':46}{'MB/s':>8}{'to loop':>9}")
-        ratios: dict[str, list[float]] = {name: [] for name in TASKS}
-        speeds: dict[str, list[float]] = {name: [] for name in TASKS}
+        lines.append(f"{'':46}{'MB/s':>8}{'to loop':>9}{'aim':>6}")
+        cases = [(f"{name}, {way}", task, aim, way) for name, (task, aim) in TASKS.items() for way in ways]
+        ratios: dict[str, list[float]] = {name: [] for name, *_ in cases}
+        speeds: dict[str, list[float]] = {name: [] for name, *_ in cases}
         loops = []
         for _ in range(ROUNDS):
             loops.append(seconds(by_hand, data))
-            for name, task in TASKS.items():
+            for name, task, _, way in cases:
+                native.kernel = ways[way]
                 took = seconds(task, data)
                 ratios[name].append(loops[-1] / took)
                 speeds[name].append(len(data) / took / 1e6)
         lines.append(f"{'loop written by hand':46}{len(data) / statistics.median(loops) / 1e6:8.0f}{1:9.1f}")
-        for name in TASKS:
-            lines.append(f"{name:46}{statistics.median(speeds[name]):8.0f}{statistics.median(ratios[name]):9.1f}")
+        for name, _, aim, _ in cases:
+            figure = f"{statistics.median(speeds[name]):8.0f}{statistics.median(ratios[name]):9.1f}"
+            lines.append(f"{name:46}{figure}{aim or '':>6}")
     return "\n".join(lines)
 
 

@@ -98,7 +98,7 @@ def test_folders_are_used(tmp_path: Path) -> None:
     assert " g along x" in run("cargo run --quiet --offline", tmp_path, CARGO_TARGET_DIR=str(tmp_path / "target"))
 
     pip = pip.replace("pip install", f"{sys.executable} -m pip install --no-deps --no-build-isolation")
-    run(pip, tmp_path, PIP_TARGET=str(tmp_path / "site"))
+    run(pip, tmp_path, PIP_TARGET=str(tmp_path / "site"), MIP_TOOLS_PURE="1")
     assert (tmp_path / "site/mip_tools/__main__.py").is_file()
     assert (tmp_path / "site/mip_simulator/command.py").is_file()
     shutil.copyfile(ROOT / "generated/python/quickstart.py", tmp_path / "quickstart.py")

@@ -9,8 +9,11 @@ import os
 import pickle
 import random
 import re
+import shutil
 import struct
+import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -19,15 +22,16 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.lower import codec
+from packages import REAL, real
 from packages import mip as invented
-from packages import real
 from pairs import pairwise
 from random_values import chance, drawn
-from support import ROOT, all_fields, later, model, rounds
+from support import ROOT, all_fields, heavy, later, model, need, packaging, rounds
 from timed_packets import framed, packet
 
 np, pyarrow, dataset, parquet = (later(name) for name in ("numpy", "pyarrow", "pyarrow.dataset", "pyarrow.parquet"))
 
+KERNEL = ROOT / "tools/mip_tools/columns/kernel.c"
 PACKAGES = {"real": real, "invented": invented}
 
 
@@ -44,6 +48,30 @@ def parsed(package: Any, stream: bytes) -> list[tuple[int, Any]]:
             found.append((at, one))
             at += len(one)
     return found
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The compiled code, which both packages share."""
+    path = tmp_path_factory.mktemp("kernel") / "_kernel.so"
+    options = ["-std=c99", "-O3", "-shared", "-fPIC", "-o", str(path)]
+    subprocess.run([need("gcc"), *options, str(KERNEL)], check=True)
+    return path
+
+
+def use(monkeypatch: pytest.MonkeyPatch, path: Path | None) -> None:
+    """All that follows is with NumPy alone, or with the compiled code."""
+    for package in PACKAGES.values():
+        kernel = None if path is None else package.mip_tools.columns.native.Kernel(path)
+        monkeypatch.setattr(package.mip_tools.columns.native, "kernel", kernel)
+
+
+WAYS = ["numpy", "compiled"]
+
+
+@pytest.fixture(params=WAYS)
+def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, request.getfixturevalue("built") if request.param == "compiled" else None)
 
 
 # --------------------------------------------------------------------------- columns and objects
@@ -199,12 +227,14 @@ def streams(spec: str, seed: int, count: int, examples: int = 8) -> bytes:
     return bytes(out)
 
 
+@pytest.mark.usefixtures("way")
 def test_columns_equal_objects_on_damaged_streams() -> None:
     """Value by value, bit by bit."""
     count = rounds(240, 3000)
     assert compare(invented, streams("invented", seed=1, count=count)) > 2 * count
 
 
+@pytest.mark.usefixtures("way")
 def test_packets_of_extreme_lengths() -> None:
     """They begin and end in one of the words that checksums are computed from; or their last data begin more than 255
     bytes behind the beginning of the packet."""
@@ -218,6 +248,7 @@ def test_packets_of_extreme_lengths() -> None:
     assert column.packet.tolist() == [0] * 127 + [1]
 
 
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("layouts", [2, 30])
 def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> None:
     rng = random.Random(layouts)
@@ -231,6 +262,7 @@ def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> 
     assert compare(real, b"".join(out)) > 500
 
 
+@pytest.mark.usefixtures("way")
 def test_layouts_that_are_sorted_alike() -> None:
     """Packets are sorted by a sum of their fields' heads: 31 x 14 + 41 is 31 x 15 + 10."""
     one = packet(0x80, (4, bytes(12)), (5, bytes(39)))
@@ -238,6 +270,7 @@ def test_layouts_that_are_sorted_alike() -> None:
     assert compare(real, (one + other + one) * 30) == 150
 
 
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize(("spec", "examples"), [("real", 1), ("invented", 8)])
 def test_columns_equal_objects_for_every_field(spec: str, examples: int) -> None:
     every = fields(spec, rounds(examples, 8))
@@ -245,6 +278,7 @@ def test_columns_equal_objects_for_every_field(spec: str, examples: int) -> None
     assert compare(PACKAGES[spec], stream) > 1000
 
 
+@pytest.mark.usefixtures("way")
 def test_objects_while_other_columns_are_requested(monkeypatch: pytest.MonkeyPatch) -> None:
     """Requests look at the same pieces, and must not disturb each other."""
     monkeypatch.setattr(real.mip_tools.columns.packets, "_PIECE", 5000)
@@ -285,9 +319,9 @@ STREAMS = {
 }
 
 
-@pairwise(name=sorted(STREAMS), piece=[7, 300, 1 << 22])
+@pairwise(indirect=["way"], way=WAYS, name=sorted(STREAMS), piece=[7, 300, 1 << 22])
 def test_packets_are_those_of_the_parser_however_a_log_is_cut(
-    name: str, piece: int, monkeypatch: pytest.MonkeyPatch
+    way: None, name: str, piece: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     columns = real.mip_tools.columns
     monkeypatch.setattr(columns.packets, "_PIECE", piece)
@@ -513,6 +547,101 @@ def test_a_missing_library_is_named(missing: str, monkeypatch: pytest.MonkeyPatc
     with pytest.raises(ImportError, match=f"^{missing} is missing; pip install {missing}$") as caught:
         read_log(b"").frame("sensor.scaled_accel", library=missing)
     assert caught.value.name == missing
+
+
+# --------------------------------------------------------------------------- compiled code
+
+
+def test_more_kinds_of_fields_than_compiled_code_tells_apart(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, built)
+    many = [packet(s, (d, bytes(3)), (d, b"")) for s in range(1, 40) for d in range(1, 30)] + [packet(0x80, ACCEL)]
+    stream = b"".join(many)
+    assert real.mip_tools.columns.native.kernel is not None
+    data = np.frombuffer(stream + bytes(300), np.uint8)
+    at, _ = real.mip_tools.columns.scan.find_packets(data, 0, len(stream), len(stream))
+    assert real.mip_tools.columns.native.kernel.fields(data, at) is None
+    compare(real, stream)
+
+
+def test_bytes_that_change_while_compiled_code_reads_them(built: Path) -> None:
+    """Another program writes to the file: packets are found, then there are other bytes in their places."""
+    kernel = real.mip_tools.columns.native.Kernel(built)
+    before = packet(0x01, (1, b"")) * 80
+    at = np.array([i for i, _ in parsed(real, before)], np.int32)
+
+    def read(after: bytes) -> list[tuple[int, list[int], list[int]]] | None:
+        found = kernel.fields(np.frombuffer(after + bytes(300), np.uint8), at)
+        if found is None:
+            return None
+        for one in found:
+            assert ((one.packet >= 0) & (one.packet < len(at))).all()
+            assert (one.offset + one.length <= 255).all()
+        return [(one.descriptor, one.packet.tolist(), one.offset.tolist()) for one in found]
+
+    assert read(before) == [(1, list(range(80)), [2] * 80)]
+    assert read(b"\2" * len(before)) == [(2, list(range(80)), [2] * 80)]
+    assert read(bytes((2, 2, 2, 254, 2, 2, 2, 2)) * 80) is None  # 127 fields in each: more than the bytes have room for
+    rng = random.Random(6)
+    for _ in range(200):
+        read(rng.randbytes(len(before)))
+
+
+def installed(folder: Path, pure: bool) -> tuple[str, str]:
+    """The name of a wheel, and what its `mip --version` prints, installed where nobody may write."""
+    source = folder / "source"
+    names = ("README.md", "LICENSE", "pyproject.toml", "setup.py", "mip_tools")
+    for name in names:
+        path = ROOT / "tools" / name
+        copy_of = shutil.copytree if path.is_dir() else shutil.copy
+        source.mkdir(exist_ok=True)
+        copy_of(path, source / name)
+    environment = {**os.environ, "PYTHONPATH": str(REAL), **({"MIP_TOOLS_PURE": "1"} if pure else {})}
+    wheel = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", str(folder)]
+    subprocess.run([*wheel, str(source)], check=True, env=environment)
+    (made,) = folder.glob("*.whl")
+    site = folder / "site"
+    with zipfile.ZipFile(made) as archive:
+        archive.extractall(site)
+    before = sorted(site.rglob("*"))
+    environment["PYTHONPATH"] += f"{os.pathsep}{site}"
+    environment["PYTHONDONTWRITEBYTECODE"] = "1"
+    command = [sys.executable, "-m", "mip_tools"]
+    (folder / "log.bin").write_bytes(packet(0x80, ACCEL) * 3)
+    for words in (["info", str(folder / "log.bin")], ["export", str(folder / "log.bin"), "-o", str(folder / "t.csv")]):
+        subprocess.run([*command, *words], check=True, env=environment, capture_output=True)
+    assert sorted(site.rglob("*")) == before  # nothing was written beside the package
+    done = subprocess.run([*command, "--version"], capture_output=True, text=True, env=environment)
+    return made.name, done.stdout
+
+
+@packaging
+@pytest.mark.parametrize(
+    ("pure", "tag", "said"),
+    [(False, "-cp310-abi3-", "NumPy and compiled code"), (True, "-py3-none-any.whl", "NumPy alone")],
+)
+def test_wheels_bring_compiled_code_or_none(pure: bool, tag: str, said: str, tmp_path: Path) -> None:
+    """One for all versions of Python on this platform, and a pure one."""
+    name, version = installed(tmp_path, pure)
+    assert tag in name and version.endswith(f"; logs are read with {said}\n"), (name, version)
+
+
+def test_the_version_without_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, f"{real.mip_tools.name}.columns.native", None)
+    assert real.mip_tools.__getattr__("__main__")._version().endswith("; logs are read with nothing: NumPy is missing")
+
+
+@pytest.mark.parametrize("content", [b"", b"no library"])
+def test_what_is_no_compiled_code_is_left_alone(content: bytes, tmp_path: Path) -> None:
+    assert real.mip_tools.columns.native.load_kernel(tmp_path) is None
+    (tmp_path / "_kernel.abi3.so").write_bytes(content)
+    assert real.mip_tools.columns.native.load_kernel(tmp_path) is None
+
+
+@pytest.mark.parametrize("compiler", ["gcc", pytest.param("clang", marks=heavy("clang"))])
+def test_compiled_code_is_clean(compiler: str, tmp_path: Path) -> None:
+    options = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-c"]
+    command = [need(compiler), *options, "-o", str(tmp_path / "kernel.o"), str(KERNEL)]
+    subprocess.run(command, check=True)
 
 
 # --------------------------------------------------------------------------- copies

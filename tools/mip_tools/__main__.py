@@ -76,7 +76,7 @@ class _Layout(argparse.RawDescriptionHelpFormatter):
 
 
 def _version() -> str:
-    return f"mip {__version__}, {_package()}"
+    return f"mip {__version__}, {_package()}; logs are read with {_engine()}"
 
 
 def _package() -> str:
@@ -84,6 +84,15 @@ def _package() -> str:
         return f"{binding.name()} {binding.VERSION}"
     except NoBinding:
         return "without a generated package"
+
+
+def _engine() -> str:
+    """Describes the code that reads logs as columns."""
+    try:
+        from .columns.native import compiled
+    except ImportError:
+        return "nothing: NumPy is missing"
+    return "NumPy and compiled code" if compiled() else "NumPy alone"
 
 
 def _run(words: list[str]) -> int:

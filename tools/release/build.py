@@ -4,7 +4,8 @@
     make release REHEARSE=1     does the dry run of each registry, too
 
 Packages of Python, Rust and JavaScript, archives of the rest, among them C for each product family, single files,
-checksums, an SBOM (CycloneDX) and the notes of the version.
+checksums, an SBOM (CycloneDX) and the notes of the version. The platform wheels of mip-tools are built by the release
+workflow, on each platform.
 
 `tests/release` installs each artefact.
 """
@@ -47,8 +48,8 @@ def python(folder: Path, dist: Path) -> None:
     """A wheel and a source distribution."""
     with tempfile.TemporaryDirectory() as scratch:
         source, out = copied(folder, Path(scratch) / "source"), Path(scratch) / "out"
-        build = (sys.executable, "-m", "build", "--no-isolation", "--outdir", out)
-        run(*build, cwd=source, SOURCE_DATE_EPOCH=str(EPOCH))
+        environment = {"SOURCE_DATE_EPOCH": str(EPOCH), "MIP_TOOLS_PURE": "1"}
+        run(sys.executable, "-m", "build", "--no-isolation", "--outdir", out, cwd=source, **environment)
         for path in sorted(out.iterdir()):
             data = path.read_bytes()
             (dist / path.name).write_bytes(again(data) if path.name.endswith(".tar.gz") else data)

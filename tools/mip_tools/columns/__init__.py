@@ -2,8 +2,9 @@
 
 Needs NumPy, the extra `numpy`; frames also need pandas, Polars or PyArrow.
 
-`tests/tools/test_columns.py` compares columns with objects; `tests/tools/test_log_tables.py` compares tables with plain
-rows.
+kernel.c does the same as `scan` and `walk`, if tools/setup.py compiled it. `tests/tools/test_columns.py` compares
+columns with objects, compiled code with Python, and both wheels; `tests/tools/test_log_tables.py` compares tables
+with plain rows.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ else:
     from .contents import TypeCount
     from .general import Ragged
     from .log import Log, read_log
+    from .native import compiled
     from .stamps import Times
 
-__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "read_log"]
+__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "compiled", "read_log"]

@@ -73,13 +73,16 @@ def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
             yield from _scalars(inner)
 
 
-def row_values(kind: type[Field], rows: Array, shape: Layout) -> tuple[dict[str, Array], Array | None]:
-    """Makes columns from rows of bytes. Also returns which rows have the right constants; None if all do."""
+def row_values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple[dict[str, Array], Array | None]:
+    """Makes columns from rows of bytes. Also returns which rows have the right constants; None if all do.
+
+    `turned`: items of one size already have the byte order of this machine.
+    """
     if not shape.dtype.itemsize:
         return {}, None
     record = rows.reshape(-1).view(shape.dtype)
     if shape.base is not None:  # swaps the bytes of all items at once, in place
-        if sys.byteorder == "little":
+        if not turned and sys.byteorder == "little":
             rows.reshape(-1).view(shape.base.newbyteorder("=")).byteswap(inplace=True)
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
     valid: Array | None = None

@@ -116,7 +116,7 @@ class Reader:
             values = general.general_columns(info(self._kind).parameters, self._objects)
         else:
             rows = self._rows.whole()
-            fixed, right = layout.row_values(self._kind, rows, self._layout)
+            fixed, right = layout.row_values(self._kind, rows, self._layout, self._rows.turned)
             values = dict(fixed)
         self._where.keep(right)
         only = self.set

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 
+from . import native
 from .layout import Layout
 from .piece import Piece
 from .scan import HEADER, Array, gather
@@ -17,6 +20,10 @@ class Rows:
     def __init__(self, shape: Layout, end: int) -> None:
         """`end` is the size of the log, in bytes."""
         self._size, self._end = shape.dtype.itemsize, end
+        item = 1 if shape.base is None else shape.base.itemsize
+        #: Do items of one size, which are big-endian in the log, have the byte order of this machine?
+        self.turned = item == 1 or (native.kernel is not None and sys.byteorder == "little")
+        self._item = item if self.turned else 1
         self._room = np.empty((0, self._size), np.uint8)
         self._count = 0
 
@@ -25,7 +32,11 @@ class Rows:
         count = self._count + len(packet)
         if count > len(self._room):
             self._grow(count, len(packet) * (self._end - piece.begin) // len(piece.data))
-        self._room[self._count : count] = gather(piece.data, piece.at[packet] + HEADER + offset, self._size)
+        rows = self._room[self._count : count]
+        if native.kernel is None:
+            rows[:] = gather(piece.data, piece.at[packet] + HEADER + offset, self._size)
+        else:
+            native.kernel.gather(piece.data, piece.at, packet, offset, self._item, rows)
         self._count = count
 
     def _grow(self, least: int, expected: int) -> None:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
-
 import numpy as np
 
 from ..binding import MAX_PAYLOAD, OVERHEAD, SYNC
-
-Array: TypeAlias = "np.ndarray[Any, Any]"
+from . import native
+from .native import Array as Array
 
 #: The size of a packet's header, in bytes.
 HEADER = OVERHEAD - 2
@@ -25,6 +23,8 @@ def find_packets(data: Array, first: int, limit: int, length: int) -> tuple[Arra
 
     The first `length` bytes of `data` belong to the log; at least 8 more must follow.
     """
+    if native.kernel is not None:
+        return native.kernel.packets(data, first, limit, length, False)
     at, end = candidates(data, first, limit, length)
     if (at[1:] < end[:-1]).any():
         keep = without_overlap(at, end)
@@ -44,6 +44,8 @@ def without_overlap(at: Array, end: Array) -> Array:
 def candidates(data: Array, first: int, limit: int, length: int, only: int | None = None) -> tuple[Array, Array]:
     """Finds byte sequences with the form and the checksum of a packet, of any descriptor set or of only one. Returns
     their beginnings and ends."""
+    if native.kernel is not None and only is None:
+        return native.kernel.packets(data, first, limit, length, True)
     limit = min(limit, length - OVERHEAD + 1)
     spans: list[tuple[Array, Array]] = [(np.zeros(0, np.intp),) * 2]
     for begin in range(0, limit, _PART):

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from . import native
 from .scan import HEADER, Array
 
 T = TypeVar("T")
@@ -19,11 +20,13 @@ class Run(NamedTuple):
     descriptor: int
     length: int  # of the data
     packet: Array  # numbers of the packets in the piece
-    offset: int  # of the data in the payload
+    offset: int | Array  # of the data in the payload
 
 
 def find_runs(data: Array, at: Array, sets: Array) -> list[Run]:
     """Finds all fields of packets that begin at these places, given their descriptor sets."""
+    if native.kernel is not None and (rows := native.kernel.fields(data, at)) is not None:
+        return [Run(*fields) for fields in rows]
     keys = [sets.astype(np.uint16), *_fields(data, at)]
     mixed = keys[0].copy()
     for key in keys[1:]:
@@ -79,7 +82,7 @@ def _fields(data: Array, at: Array) -> Iterator[Array]:
 def packets_and_offsets(runs: list[Run], packets: int) -> tuple[Array, Array]:
     """Returns the packets of all fields of these runs, and the offsets in their payloads, in the order of the log."""
     if len(runs) == 1:
-        return runs[0].packet, _offsets(runs[0])
+        return runs[0].packet, _filled(runs[0], runs[0].offset)
     slot = np.zeros(packets, np.uint8)
     for run in runs:
         slot[run.packet.astype(np.intp, copy=False)] = run.offset  # much faster than indexes of 32 bits
@@ -87,7 +90,7 @@ def packets_and_offsets(runs: list[Run], packets: int) -> tuple[Array, Array]:
     if len(packet) == sum(len(run.packet) for run in runs):  # no packet has two of them
         return packet, slot[packet]
     packet = np.concatenate([run.packet for run in runs])
-    offset = np.concatenate([_offsets(run) for run in runs])
+    offset = np.concatenate([_filled(run, run.offset) for run in runs])
     order = np.lexsort((offset, packet))
     return packet[order], offset[order]
 
@@ -115,6 +118,6 @@ def in_order(
     return packet[order], [rows[row] for row in order.tolist()], order
 
 
-def _offsets(run: Run) -> Array:
-    """Repeats the offset for each row."""
-    return np.full(len(run.packet), run.offset, np.uint8)
+def _filled(run: Run, value: int | Array) -> Array:
+    """Repeats one value for each row."""
+    return np.full(len(run.packet), value, np.uint8) if isinstance(value, int) else value
