@@ -1918,8 +1918,9 @@ export declare class LowPassFilterResponse extends Response {
  *
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
- * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-10, 3DM-CV5-15,
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
+ * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Devices without it may have `PollData`.
+ * Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 15 more.
  *
  * An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -1940,9 +1941,9 @@ export declare class PollImuData extends Command<undefined> {
  *
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
- * Also called `poll_gnss_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-GQ4-45, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a
- * receiver.
+ * Also called `poll_gnss_message`. Not acknowledged if `suppressAck` is true. Devices without it may have `PollData`.
+ * Confirmed on 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 5 more. Known only from
+ * the MicroStrain MIP SDK. Requires a receiver.
  *
  * An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device rejects the command.
  * Descriptors that the device does not know are omitted. The data is sent in a separate packet after the reply.
@@ -1966,8 +1967,9 @@ export declare class PollGnssData extends Command<undefined> {
  *
  * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
- * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 8 more.
+ * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Devices without it may have `PollData`.
+ * Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 8
+ * more.
  *
  * An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
@@ -2011,8 +2013,9 @@ export declare class PollNmeaData extends Command<undefined> {
  *
  * Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
  *
- * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
+ * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Devices without it may have `GetBaseRate`.
+ * Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+ * likely or assumed on 15 more.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -2025,9 +2028,9 @@ export declare class GetImuBaseRate extends Command<GetImuBaseRateResponse> {
  *
  * Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
  *
- * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK.
- * Requires a receiver.
+ * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Devices without it may have `GetBaseRate`.
+ * Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Known
+ * only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -2040,9 +2043,9 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
  *
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`. Confirmed on
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
- * likely or assumed on 14 more.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`. Devices without it
+ * may have `MessageFormat`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14 more.
  *
  * The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate. The list replaces the
  * previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2075,9 +2078,9 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
  *
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`. Confirmed on
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Requires a
- * receiver.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`. Devices without it
+ * may have `MessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+ * assumed on 4 more. Requires a receiver.
  *
  * The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
  *
@@ -2111,8 +2114,9 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
  *
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FilterMessageFormatResponse`. Confirmed on
- * 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FilterMessageFormatResponse`. Devices without it
+ * may have `MessageFormat`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST; likely or assumed on 9 more.
  *
  * The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate. The list replaces
  * the previous one. If any descriptor is unknown, the device rejects the command and changes nothing.
@@ -2145,8 +2149,9 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
  *
  * Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
  *
- * Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
+ * Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Devices without it may have `GetBaseRate`.
+ * Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9
+ * more.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -2192,7 +2197,8 @@ export declare class NmeaMessageFormat<R extends Response | undefined = undefine
  *
  * Requests one data packet of the descriptor set with the listed fields, in the listed order.
  *
- * Not acknowledged if `suppressAck` is true. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
+ * Not acknowledged if `suppressAck` is true. Devices without it may have `PollImuData`, `PollGnssData` and
+ * `PollFilterData`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
  *
  * An empty list polls the fields that `MessageFormat` stores; if nothing is stored, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply, on the
@@ -2216,8 +2222,9 @@ export declare class PollData extends Command<undefined> {
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely
- * or assumed on 7 more.
+ * Response: `GetBaseRateResponse`. Devices without it may have `GetImuBaseRate`, `GetGnssBaseRate` and
+ * `GetFilterBaseRate`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed
+ * on 7 more.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -2232,8 +2239,9 @@ export declare class GetBaseRate extends Command<GetBaseRateResponse> {
  *
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`. Confirmed on
- * 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`. Devices without it may
+ * have `ImuMessageFormat`, `GnssMessageFormat` and `FilterMessageFormat`. Confirmed on 3DM-CV7-GNSS/INS; likely or
+ * assumed on 10 more.
  *
  * The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List shared descriptors
  * (0xD0 and up) under the set whose packets will contain them, before the others.
@@ -3358,12 +3366,12 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
  * Response: `ImuLowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
- * `sensor.ScaledPressure`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use
- * `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the
- * 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead.
- * Requires firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware up to 1.0.10 on the
- * 3DM-GQ7-GNSS/INS.
+ * `sensor.ScaledPressure`. Devices without it may have `LowPassFilter`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20
+ * more. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter`
+ * instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
+ * `LowPassFilter` instead. Requires firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware up to
+ * 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message format.
  *
@@ -3524,9 +3532,9 @@ export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSens
  * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `LowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.ScaledPressure`, `filter_data.CompAccel`, `filter_data.CompAngularRate` and `filter_data.LinearAccel`.
- * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. Requires
- * firmware later than 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than 1.0.10 on the
- * 3DM-GQ7-GNSS/INS.
+ * Devices without it may have `ImuLowPassFilter`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. Requires firmware later than 1.0.07 on the 3DM-CV7-AHRS and
+ * 3DM-CV7-AR. Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are meant.
  *

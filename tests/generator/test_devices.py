@@ -92,7 +92,7 @@ def test_frames_belong_to_the_family() -> None:
 
 
 def test_what_a_family_states_holds_for_fields_that_a_device_may_have() -> None:
-    """No source states that the 3DM-GX3-25 sends its GPS timestamp; if it does, the flags are those of its generation."""
+    """No source states that a 3DM-GX3-25 sends its GPS timestamp; if it does, the flags are those of its generation."""
     for name in ("3dm-gx3-25", "3dm-gq4-45", "3dm-mv5-ar"):
         d = device(name, REAL)
         assert "sensor.gps_timestamp" not in names(d)

@@ -4898,9 +4898,9 @@ class PollImuData(Command[None]):
 
     Requests one sensor data packet (0x80) with the listed fields, in the listed order.
 
-    Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Confirmed on
-    3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST; likely or assumed on 15 more.
+    Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Devices without it
+    may have `PollData`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
 
     An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device
     rejects the command. Descriptors that the device does not know are ignored. The data is sent in
@@ -4956,9 +4956,9 @@ class PollGnssData(Command[None]):
 
     Requests one GNSS data packet with the listed fields, in the listed order.
 
-    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Confirmed on
-    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 5 more. Known only
-    from the MicroStrain MIP SDK. Requires a receiver.
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Devices without it
+    may have `PollData`. Confirmed on 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
+    likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
     rejects the command. Descriptors that the device does not know are omitted. The data is sent in
@@ -5017,9 +5017,9 @@ class PollFilterData(Command[None]):
 
     Requests one filter data packet (0x82) with the listed fields, in the listed order.
 
-    Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Confirmed on
-    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
-    assumed on 8 more.
+    Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Devices without
+    it may have `PollData`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 8 more.
 
     An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device
     rejects the command. Descriptors that the device does not know are ignored. The data is sent in
@@ -5134,9 +5134,9 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
 
-    Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Confirmed on 3DM-CV5-10,
-    3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST;
-    likely or assumed on 15 more.
+    Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Devices without it may have
+    `GetBaseRate`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 15 more.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -5154,9 +5154,10 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
 
-    Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Confirmed on 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Known only
-    from the MicroStrain MIP SDK. Requires a receiver.
+    Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Devices without it may
+    have `GetBaseRate`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST; likely or assumed on 4 more. Known only from the MicroStrain MIP SDK. Requires a
+    receiver.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -5175,8 +5176,9 @@ class ImuMessageFormat(Command[R]):
     Sets the fields of the sensor data packets (0x80), their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`.
-    Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 14 more.
+    Devices without it may have `MessageFormat`. Confirmed on 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 14 more.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -5278,8 +5280,8 @@ class GnssMessageFormat(Command[R]):
     Sets the fields of the GNSS data packets, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`.
-    Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
-    assumed on 4 more. Requires a receiver.
+    Devices without it may have `MessageFormat`. Confirmed on 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 4 more. Requires a receiver.
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
@@ -5380,8 +5382,9 @@ class FilterMessageFormat(Command[R]):
     Sets the fields of the filter data packets (0x82), their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
-    `FilterMessageFormatResponse`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
+    `FilterMessageFormatResponse`. Devices without it may have `MessageFormat`. Confirmed on
+    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
+    assumed on 9 more.
 
     The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -5484,9 +5487,9 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
 
-    Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Confirmed on
-    3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or
-    assumed on 9 more.
+    Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Devices without it
+    may have `GetBaseRate`. Confirmed on 3DM-CV5-15, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -5609,8 +5612,9 @@ class PollData(Command[None]):
 
     Requests one data packet of the descriptor set with the listed fields, in the listed order.
 
-    Not acknowledged if `suppress_ack` is true. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on
-    10 more.
+    Not acknowledged if `suppress_ack` is true. Devices without it may have `PollImuData`,
+    `PollGnssData` and `PollFilterData`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10
+    more.
 
     An empty list polls the fields that `MessageFormat` stores; if nothing is stored, the device
     rejects the command. Descriptors that the device does not know are ignored. The data is sent in
@@ -5673,7 +5677,8 @@ class GetBaseRate(Command[GetBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of a descriptor set.
 
-    Response: `GetBaseRateResponse`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    Response: `GetBaseRateResponse`. Devices without it may have `GetImuBaseRate`, `GetGnssBaseRate`
+    and `GetFilterBaseRate`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS; likely or assumed on 7 more.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
@@ -5708,6 +5713,7 @@ class MessageFormat(Command[R]):
     Sets the fields of the data packets of a descriptor set, their order and their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`.
+    Devices without it may have `ImuMessageFormat`, `GnssMessageFormat` and `FilterMessageFormat`.
     Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 10 more.
 
     The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
@@ -8744,13 +8750,13 @@ class ImuLowPassFilter(Command[R]):
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
     and `default`. Response: `ImuLowPassFilterResponse`. Affects `sensor.ScaledAccel`,
-    `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Confirmed on 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST; likely or assumed on 20 more. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter`
-    instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the
-    3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
-    `LowPassFilter` instead. Requires firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR.
-    Requires firmware up to 1.0.10 on the 3DM-GQ7-GNSS/INS.
+    `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Devices without it may have
+    `LowPassFilter`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 20 more.
+    Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use
+    `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead.
+    Deprecated on the 3DM-GQ7-GNSS/INS: use `LowPassFilter` instead. Requires firmware up to 1.0.07
+    on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware up to 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -9186,10 +9192,10 @@ class LowPassFilter(Command[R]):
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
     Response: `LowPassFilterResponse`. Affects `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
-    `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Confirmed on 3DM-CV7-AHRS,
-    3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS; likely or assumed on 7 more. Requires
-    firmware later than 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than
-    1.0.10 on the 3DM-GQ7-GNSS/INS.
+    `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Devices without it may have
+    `ImuLowPassFilter`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS; likely or assumed on 7 more. Requires firmware later than 1.0.07 on the
+    3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
 
     Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets
     are meant.

@@ -1,7 +1,8 @@
 """The commands that list data, and the places of sets and field descriptors in their bytes.
 
-With these places, each language finds the field for which a device rejects a command; see "Rejected fields" in
-spec/README.md. A list behind a parameter of variable size has no fixed place and is left out.
+With these places, each language finds the field for which a device rejects a command, or the command that it has
+instead; see "Rejected fields" in spec/README.md. A list behind a parameter of variable size has no fixed place and is
+left out.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import dataclass, fields, replace
 from mipgen import model as m
 
 from .extent import exact_size
+from .session import session
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,8 +40,12 @@ class Listing:
 
 def listings(model: m.Model) -> tuple[Listing, ...]:
     """Returns the lists of all commands, by set and descriptor."""
-    commands = [f for f in model.fields if f.role == m.COMMAND]
-    return tuple(x for f in commands for x in _in_record(f.parameters, Listing(f), 0, model))
+    start = session(model)
+    older = {x.base_rate.command: x.set for x in start.older} if start else {}
+    found: list[Listing] = []
+    for f in (f for f in model.fields if f.role == m.COMMAND):
+        found += (Listing(f, older[f]),) if f in older else _in_record(f.parameters, Listing(f), 0, model)
+    return tuple(found)
 
 
 def by_command(model: m.Model) -> dict[m.Field, list[Listing]]:

@@ -87,7 +87,10 @@ export function cause(protocol, command, known) {
     };
     const isUnknown = (item) => sends(item) === undefined;
     const isUndefined = ({ set, descriptor }) => descriptor && !protocol.candidates(set, descriptor).length;
-    const other = sends(command) === false && alternatives(protocol, command).find(sends);
+    const sets = found.map(({ set }) => set);
+    const fits = ({ name }) =>
+        protocol.model.lists.every((list) => list.command !== name || list.set === undefined || sets.includes(list.set));
+    const other = sends(command) === false && alternatives(protocol, command).find((one) => sends(one) && fits(one));
     if (other) {
         const { set, descriptor } = other;
         return { index: 0, set, descriptor, reason: "other_command", text: `${title} has ${named(other)} instead` };

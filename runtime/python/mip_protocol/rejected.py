@@ -90,11 +90,13 @@ def find_cause(command: Command, target: ConnectedDevice) -> Cause | None:
     """Returns the field for which a device has rejected a command, or the command that it has
     instead; None if nothing shows it."""
     key = (command.SET, command.DESCRIPTOR)
+    fields = list(listed(command))
     for set, descriptor in ALTERNATIVES.get(key, ()) if target.sends(*key) is False else ():
-        if target.sends(set, descriptor):
+        # Some are for the data of one set, which must be that of the command.
+        only = {row[0] for row in LISTS.get((set, descriptor), ()) if row[0] >= 0}
+        if target.sends(set, descriptor) and (not only or any(s in only for _, s, _, _ in fields)):
             text = f"{_title(target)} has {data_name(set, descriptor)} instead"
             return Cause(0, set, descriptor, OTHER_COMMAND, text)
-    fields = list(listed(command))
     for index, (_, set, descriptor, _) in enumerate(fields):
         if target.sends(set, descriptor) is False:
             return Cause(index, set, descriptor, ABSENT, _absent(target, set, descriptor))

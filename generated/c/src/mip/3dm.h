@@ -412,7 +412,8 @@ enum mip_3dm_gx4_system_state MIP_ENUM_16 {
  *
  * Requests one sensor data packet (0x80) with the listed fields, in the listed order.
  *
- * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true.
+ * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Devices without it may
+ * have mip_3dm_poll_data.
  *
  * An empty list polls the fields that mip_3dm_imu_message_format stores; if nothing is stored, the
  * device rejects the command.
@@ -453,8 +454,8 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
  *
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
- * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Known only from the
- * MicroStrain MIP SDK. Requires a receiver.
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Devices without it may
+ * have mip_3dm_poll_data. Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * An empty list polls the format stored by mip_3dm_gnss_message_format; if none is stored, the
  * device rejects the command.
@@ -498,7 +499,8 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
  *
  * Requests one filter data packet (0x82) with the listed fields, in the listed order.
  *
- * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true.
+ * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Devices without it
+ * may have mip_3dm_poll_data.
  *
  * An empty list polls the fields that mip_3dm_filter_message_format stores; if none are, the device
  * rejects the command.
@@ -580,7 +582,8 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_imu_message_format.
  *
- * Also called `imu_get_base_rate`. Response: mip_3dm_get_imu_base_rate_response.
+ * Also called `imu_get_base_rate`. Response: mip_3dm_get_imu_base_rate_response. Devices without it
+ * may have mip_3dm_get_base_rate.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -614,8 +617,8 @@ MIP_FIELD(mip_3dm_get_imu_base_rate_response, 0x83);
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_gnss_message_format.
  *
- * Also called `gnss_get_base_rate`. Response: mip_3dm_get_gnss_base_rate_response. Known only from
- * the MicroStrain MIP SDK. Requires a receiver.
+ * Also called `gnss_get_base_rate`. Response: mip_3dm_get_gnss_base_rate_response. Devices without
+ * it may have mip_3dm_get_base_rate. Known only from the MicroStrain MIP SDK. Requires a receiver.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -651,6 +654,7 @@ MIP_FIELD(mip_3dm_get_gnss_base_rate_response, 0x84);
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_imu_message_format_response.
+ * Devices without it may have mip_3dm_message_format.
  *
  * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the desired
  * rate.
@@ -723,7 +727,7 @@ mip_3dm_imu_message_format_write_from(struct mip_3dm_imu_message_format *command
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_gnss_message_format_response.
- * Requires a receiver.
+ * Devices without it may have mip_3dm_message_format. Requires a receiver.
  *
  * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the desired
  * rate.
@@ -795,6 +799,7 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_filter_message_format_response.
+ * Devices without it may have mip_3dm_message_format.
  *
  * The decimation is the base rate, as mip_3dm_get_filter_base_rate reports it, divided by the
  * desired rate.
@@ -866,7 +871,8 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_filter_message_format.
  *
- * Also called `filter_get_base_rate`. Response: mip_3dm_get_filter_base_rate_response.
+ * Also called `filter_get_base_rate`. Response: mip_3dm_get_filter_base_rate_response. Devices
+ * without it may have mip_3dm_get_base_rate.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -972,7 +978,8 @@ static inline struct mip_3dm_nmea_message_format *mip_3dm_nmea_message_format_wr
  *
  * Requests one data packet of the descriptor set with the listed fields, in the listed order.
  *
- * Not acknowledged if suppress_ack is true.
+ * Not acknowledged if suppress_ack is true. Devices without it may have mip_3dm_poll_imu_data,
+ * mip_3dm_poll_gnss_data and mip_3dm_poll_filter_data.
  *
  * An empty list polls the fields that mip_3dm_message_format stores; if nothing is stored, the
  * device rejects the command.
@@ -1020,7 +1027,8 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Response: mip_3dm_get_base_rate_response.
+ * Response: mip_3dm_get_base_rate_response. Devices without it may have mip_3dm_get_imu_base_rate,
+ * mip_3dm_get_gnss_base_rate and mip_3dm_get_filter_base_rate.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1065,6 +1073,8 @@ MIP_FIELD(mip_3dm_get_base_rate_response, 0x8E);
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
  * Functions: write, read, save, load and default. Response: mip_3dm_message_format_response.
+ * Devices without it may have mip_3dm_imu_message_format, mip_3dm_gnss_message_format and
+ * mip_3dm_filter_message_format.
  *
  * The decimation is the base rate, as mip_3dm_get_base_rate reports it, divided by the desired
  * rate.
@@ -3716,12 +3726,12 @@ mip_3dm_odometer_config_write_from(struct mip_3dm_odometer_config *command,
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
  * default. Response: mip_3dm_imu_low_pass_filter_response. Affects mip_sensor_scaled_accel,
- * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Deprecated on the
- * 3DM-CV7-AHRS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use
- * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter
- * instead. Deprecated on the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead. Requires
- * firmware up to 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware up to 1.0.10 on the
- * 3DM-GQ7-GNSS/INS.
+ * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Devices without it
+ * may have mip_3dm_low_pass_filter. Deprecated on the 3DM-CV7-AHRS: use mip_3dm_low_pass_filter
+ * instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter instead. Deprecated on the
+ * 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
+ * mip_3dm_low_pass_filter instead. Requires firmware up to 1.0.07 on the 3DM-CV7-AHRS and
+ * 3DM-CV7-AR. Requires firmware up to 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -4119,9 +4129,9 @@ MIP_FIELD(mip_3dm_get_calibrated_sensor_ranges_response, 0xD3);
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Response:
  * mip_3dm_low_pass_filter_response. Affects mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
  * mip_sensor_scaled_mag, mip_sensor_scaled_pressure, mip_filter_data_comp_accel,
- * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Requires firmware later than
- * 1.0.07 on the 3DM-CV7-AHRS and 3DM-CV7-AR. Requires firmware later than 1.0.10 on the
- * 3DM-GQ7-GNSS/INS.
+ * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Devices without it may have
+ * mip_3dm_imu_low_pass_filter. Requires firmware later than 1.0.07 on the 3DM-CV7-AHRS and
+ * 3DM-CV7-AR. Requires firmware later than 1.0.10 on the 3DM-GQ7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are
  * meant.

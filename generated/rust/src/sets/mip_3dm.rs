@@ -551,12 +551,12 @@ record! {
     /// Requests one sensor data packet (0x80) with the listed fields, in the listed order.
     ///
     /// Also called `poll_imu_message`. Not acknowledged if
-    /// [`suppress_ack`](PollImuData::suppress_ack) is true. Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
-    /// likely or assumed on 15 more.
+    /// [`suppress_ack`](PollImuData::suppress_ack) is true. Devices without it may have
+    /// [`PollData`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 15 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollImuData::descriptors).
@@ -606,10 +606,11 @@ record! {
     /// Requests one GNSS data packet with the listed fields, in the listed order.
     ///
     /// Also called `poll_gnss_message`. Not acknowledged if
-    /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Confirmed on
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
-    /// likely or assumed on 5 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
+    /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Devices without it may have
+    /// [`PollData`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 5 more. Known only from the
+    /// MicroStrain MIP SDK. Requires a receiver.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
@@ -660,11 +661,11 @@ record! {
     /// Requests one filter data packet (0x82) with the listed fields, in the listed order.
     ///
     /// Also called `poll_filter_message`. Not acknowledged if
-    /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Confirmed on
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
-    /// likely or assumed on 8 more.
+    /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Devices without it may have
+    /// [`PollData`]. Confirmed on [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 8 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollFilterData::descriptors).
@@ -764,12 +765,12 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of [`ImuMessageFormat`].
     ///
-    /// Also called `imu_get_base_rate`. Response: [`GetImuBaseRateResponse`]. Confirmed on
-    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
-    /// likely or assumed on 15 more.
+    /// Also called `imu_get_base_rate`. Response: [`GetImuBaseRateResponse`]. Devices without it
+    /// may have [`GetBaseRate`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 15 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -798,11 +799,11 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of [`GnssMessageFormat`].
     ///
-    /// Also called `gnss_get_base_rate`. Response: [`GetGnssBaseRateResponse`]. Confirmed on
-    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Known only from the
-    /// MicroStrain MIP SDK. Requires a receiver.
+    /// Also called `gnss_get_base_rate`. Response: [`GetGnssBaseRateResponse`]. Devices without it
+    /// may have [`GetBaseRate`]. Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 4 more. Known only from the MicroStrain MIP SDK. Requires a receiver.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -833,12 +834,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuMessageFormatResponse`].
-    /// Confirmed on [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 14 more.
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuMessageFormatResponse`]. Devices
+    /// without it may have [`MessageFormat`]. Confirmed on [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
+    /// likely or assumed on 14 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
@@ -913,7 +915,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssMessageFormatResponse`].
-    /// Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// Devices without it may have [`MessageFormat`]. Confirmed on
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 4 more. Requires a
     /// receiver.
@@ -990,7 +993,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Response: [`FilterMessageFormatResponse`].
-    /// Confirmed on [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Devices without it may have [`MessageFormat`]. Confirmed on
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
     /// likely or assumed on 9 more.
@@ -1065,11 +1069,11 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of [`FilterMessageFormat`].
     ///
-    /// Also called `filter_get_base_rate`. Response: [`GetFilterBaseRateResponse`]. Confirmed on
-    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
-    /// likely or assumed on 9 more.
+    /// Also called `filter_get_base_rate`. Response: [`GetFilterBaseRateResponse`]. Devices without
+    /// it may have [`GetBaseRate`]. Confirmed on [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 9 more.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1167,7 +1171,8 @@ record! {
     ///
     /// Requests one data packet of the descriptor set with the listed fields, in the listed order.
     ///
-    /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Confirmed on
+    /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Devices without it may
+    /// have [`PollImuData`], [`PollGnssData`] and [`PollFilterData`]. Confirmed on
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
@@ -1233,8 +1238,10 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of a descriptor set.
     ///
-    /// Response: [`GetBaseRateResponse`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Response: [`GetBaseRateResponse`]. Devices without it may have [`GetImuBaseRate`],
+    /// [`GetGnssBaseRate`] and [`GetFilterBaseRate`]. Confirmed on
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
@@ -1277,8 +1284,9 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Response: [`MessageFormatResponse`]. Confirmed
-    /// on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`MessageFormatResponse`]. Devices
+    /// without it may have [`ImuMessageFormat`], [`GnssMessageFormat`] and [`FilterMessageFormat`].
+    /// Confirmed on [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 10 more.
     ///
     /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
@@ -3744,14 +3752,14 @@ record! {
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag) and
-    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST);
-    /// likely or assumed on 20 more. Deprecated on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
-    /// use [`LowPassFilter`] instead. Deprecated on the [3DM-CV7-AR](crate::devices::CV7_AR): use
-    /// [`LowPassFilter`] instead. Deprecated on the
+    /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Devices without it may have
+    /// [`LowPassFilter`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST); likely or assumed on 20 more. Deprecated on the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
     /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead. Requires
     /// firmware up to 1.0.07 on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and
@@ -4067,9 +4075,9 @@ record! {
     /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure),
     /// [`filter_data::CompAccel`](crate::filter_data::CompAccel),
     /// [`filter_data::CompAngularRate`](crate::filter_data::CompAngularRate) and
-    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Confirmed on
-    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [`filter_data::LinearAccel`](crate::filter_data::LinearAccel). Devices without it may have
+    /// [`ImuLowPassFilter`]. Confirmed on [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7); likely or assumed on 7 more. Requires firmware
     /// later than 1.0.07 on the [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and
     /// [3DM-CV7-AR](crate::devices::CV7_AR). Requires firmware later than 1.0.10 on the

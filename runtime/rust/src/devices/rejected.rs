@@ -140,10 +140,21 @@ impl Rejected {
         }
         let key = [command.set.0, command.descriptor];
         let own = ALTERNATIVES.iter().filter(|(lacking, _)| *lacking == key);
-        let mut others = own.map(|(_, [set, descriptor])| (DescriptorSet(*set), *descriptor));
-        others.find(|(set, descriptor)| {
-            !matches!(known.sends(*set, *descriptor), Support::No | Support::Unknown)
-        })
+        let fits = |other: [u8; 2]| {
+            let mut lists = LISTINGS.iter().filter(|list| list.command == other);
+            lists.all(|list| list.set.map_or(true, |set| Self::is_about(command, set)))
+        };
+        let mut others = own.map(|(_, other)| *other).filter(|other| fits(*other));
+        let found = others.find(|[set, descriptor]| {
+            !matches!(known.sends(DescriptorSet(*set), *descriptor), Support::No | Support::Unknown)
+        });
+        found.map(|[set, descriptor]| (DescriptorSet(set), descriptor))
+    }
+
+    /// Does this command list data of a set?
+    fn is_about(command: &RawField<'_>, set: u8) -> bool {
+        let mut lists = LISTINGS.iter().filter(|list| list.is_in(command));
+        lists.any(|list| list.items(command).any(|item| item.set.0 == set))
     }
 }
 

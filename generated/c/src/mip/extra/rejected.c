@@ -21,13 +21,15 @@ struct listing {
 };
 
 static const struct listing listings[] = {
-    {0x0C, 0x01, 128, 0, 1, 2, 3, -1, -1, -1, 0},  {0x0C, 0x02, 129, 0, 1, 2, 3, 83, -1, -1, 0},
-    {0x0C, 0x03, 130, 0, 1, 2, 3, -1, -1, -1, 0},  {0x0C, 0x08, 128, 0, 1, 2, 3, -1, 1, -1, 0},
-    {0x0C, 0x09, 129, 0, 1, 2, 3, 82, 1, -1, 0},   {0x0C, 0x0A, 130, 0, 1, 2, 3, -1, 1, -1, 0},
-    {0x0C, 0x0D, -1, 0, 2, 3, 1, -1, -1, -1, 0},   {0x0C, 0x0E, -1, 0, -1, -1, 1, -1, -1, -1, 0},
-    {0x0C, 0x0F, -1, 1, 2, 3, 3, -1, 1, -1, 0},    {0x0C, 0x11, -1, 1, -1, -1, 1, -1, -1, -1, 0},
-    {0x0C, 0x2E, -1, 3, -1, 4, 1, -1, -1, 2, 2},   {0x0C, 0x2F, -1, 4, 7, 8, 1, 12, -1, 3, 2},
-    {0x0C, 0x50, 128, 0, -1, 1, 1, -1, -1, -1, 0}, {0x0C, 0x54, -1, 1, -1, 2, 1, -1, -1, -1, 0},
+    {0x0C, 0x01, 128, 0, 1, 2, 3, -1, -1, -1, 0},   {0x0C, 0x02, 129, 0, 1, 2, 3, 83, -1, -1, 0},
+    {0x0C, 0x03, 130, 0, 1, 2, 3, -1, -1, -1, 0},   {0x0C, 0x06, 128, 0, -1, -1, 1, -1, -1, -1, 0},
+    {0x0C, 0x07, 129, 0, -1, -1, 1, -1, -1, -1, 0}, {0x0C, 0x08, 128, 0, 1, 2, 3, -1, 1, -1, 0},
+    {0x0C, 0x09, 129, 0, 1, 2, 3, 82, 1, -1, 0},    {0x0C, 0x0A, 130, 0, 1, 2, 3, -1, 1, -1, 0},
+    {0x0C, 0x0B, 130, 0, -1, -1, 1, -1, -1, -1, 0}, {0x0C, 0x0D, -1, 0, 2, 3, 1, -1, -1, -1, 0},
+    {0x0C, 0x0E, -1, 0, -1, -1, 1, -1, -1, -1, 0},  {0x0C, 0x0F, -1, 1, 2, 3, 3, -1, 1, -1, 0},
+    {0x0C, 0x11, -1, 1, -1, -1, 1, -1, -1, -1, 0},  {0x0C, 0x2E, -1, 3, -1, 4, 1, -1, -1, 2, 2},
+    {0x0C, 0x2F, -1, 4, 7, 8, 1, 12, -1, 3, 2},     {0x0C, 0x50, 128, 0, -1, 1, 1, -1, -1, -1, 0},
+    {0x0C, 0x54, -1, 1, -1, 2, 1, -1, -1, -1, 0},
 };
 
 /** Commands, and those that do the same on devices that lack them. */
@@ -37,8 +39,14 @@ static const struct {
     uint8_t other_set;
     uint8_t other_descriptor;
 } alternatives[] = {
-    {0x01, 0x09, 0x0C, 0x40},
-    {0x0C, 0x40, 0x01, 0x09},
+    {0x01, 0x09, 0x0C, 0x40}, {0x0C, 0x01, 0x0C, 0x0D}, {0x0C, 0x02, 0x0C, 0x0D},
+    {0x0C, 0x03, 0x0C, 0x0D}, {0x0C, 0x06, 0x0C, 0x0E}, {0x0C, 0x07, 0x0C, 0x0E},
+    {0x0C, 0x08, 0x0C, 0x0F}, {0x0C, 0x09, 0x0C, 0x0F}, {0x0C, 0x0A, 0x0C, 0x0F},
+    {0x0C, 0x0B, 0x0C, 0x0E}, {0x0C, 0x0D, 0x0C, 0x01}, {0x0C, 0x0D, 0x0C, 0x02},
+    {0x0C, 0x0D, 0x0C, 0x03}, {0x0C, 0x0E, 0x0C, 0x06}, {0x0C, 0x0E, 0x0C, 0x07},
+    {0x0C, 0x0E, 0x0C, 0x0B}, {0x0C, 0x0F, 0x0C, 0x08}, {0x0C, 0x0F, 0x0C, 0x09},
+    {0x0C, 0x0F, 0x0C, 0x0A}, {0x0C, 0x40, 0x01, 0x09}, {0x0C, 0x50, 0x0C, 0x54},
+    {0x0C, 0x54, 0x0C, 0x50},
 };
 
 /** The descriptors of data: a bit for each. */
@@ -79,6 +87,28 @@ static bool applies(const struct listing *list, const struct mip_field *command)
     return list->descriptor_set == command->descriptor_set &&
            list->descriptor == command->descriptor &&
            (list->tag_at < 0 || byte_at(command, list->tag_at) == (unsigned)list->tag);
+}
+
+static unsigned set_of(const struct listing *list, const struct mip_field *command) {
+    return list->set >= 0 ? (unsigned)list->set : byte_at(command, list->set_at);
+}
+
+/** Is another command for all sets, or for one that this command is about? */
+static bool fits(uint8_t other_set, uint8_t other_descriptor, const struct mip_field *command) {
+    const size_t count = sizeof(listings) / sizeof(listings[0]);
+    bool about = true;
+    for (size_t i = 0; i < count && about; i++) {
+        const struct listing *other = &listings[i];
+        if (other->descriptor_set == other_set && other->descriptor == other_descriptor &&
+            other->set >= 0) {
+            about = false;
+            for (size_t k = 0; k < count && !about; k++) {
+                about = applies(&listings[k], command) &&
+                        set_of(&listings[k], command) == (unsigned)other->set;
+            }
+        }
+    }
+    return about;
 }
 
 static bool is_defined(uint8_t descriptor_set, uint8_t descriptor) {
@@ -147,7 +177,7 @@ static bool holds(uint8_t reason, const struct mip_rejected *item, unsigned deci
 /** Finds the first item of a list for which the reason holds. */
 static bool find(const struct listing *list, const struct mip_field *command,
                  const struct mip_known_device *known, struct mip_rejected *item) {
-    const unsigned set = list->set >= 0 ? (unsigned)list->set : byte_at(command, list->set_at);
+    const unsigned set = set_of(list, command);
     const unsigned count = list->count_at >= 0 ? byte_at(command, list->count_at) : 1U;
     const bool listed = list->first >= 0 && count > 0;
     item->descriptor_set = (uint8_t)set;
@@ -177,7 +207,8 @@ struct mip_rejected mip_find_rejected(const struct mip_field *command,
         const uint8_t set = alternatives[i].other_set;
         const uint8_t descriptor = alternatives[i].other_descriptor;
         if (alternatives[i].descriptor_set == command->descriptor_set &&
-            alternatives[i].descriptor == command->descriptor && has(known, set, descriptor)) {
+            alternatives[i].descriptor == command->descriptor && has(known, set, descriptor) &&
+            fits(set, descriptor, command)) {
             item.reason = MIP_REJECTION_OTHER_COMMAND;
             item.descriptor_set = set;
             item.descriptor = descriptor;
