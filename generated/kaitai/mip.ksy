@@ -3405,7 +3405,7 @@ types:
       - id: port
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: Port id of the device; 0 means all ports, and is for save, load and default only.
+        doc: "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of `comm_interface`; only `main`, `uart_1` and `usb_1`. On the 3DM-CV7-GNSS/INS: values of `comm_interface`. On the 3DM-CV7-INS and 3DM-CX7-INS: values of `comm_interface`; only `main`, `uart_1`, `uart_2`, `uart_3` and `usb_1`. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of `comm_interface`; only `main`, `uart_1`, `uart_2` and `usb_1`. On the 3DM-RTK: the values are unknown."
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 6
@@ -3427,7 +3427,7 @@ types:
       - id: value
         type: u4
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 6
-        doc: "Week or seconds, as selected by `field_id`."
+        doc: "Week or seconds, as selected by `field_id`. If `field_id` is `week_number`: unit week. GPS week number since 6 January 1980. If `field_id` is `tow`: unit s. Whole seconds of the GPS week."
   base_soft_reset:
     -orig-id: base.soft_reset
     doc: Reset device. Acknowledges the command, then resets the device immediately.
@@ -3456,7 +3456,7 @@ types:
     seq:
       - id: result
         type: u4
-        doc: Failure flags, defined by each device. Zero means that every test passed.
+        doc: "Failure flags, defined by each device. Zero means that every test passed. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25 and 3DM-GX5-25: values of `gx5_built_in_test` (inferred: the 3DM-GX5-15 has it). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of `cv7_built_in_test` (inferred: the 3DM-CV7-GNSS/INS has it). On the 3DM-CV7-GNSS/INS: values of `cv7_built_in_test`. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are unknown. On the 3DM-GX5-15: values of `gx5_built_in_test`."
   base_gps_time_update_week_number_response:
     -orig-id: base.gps_time_update_week_number_response
     doc: GPS time update, week number. The current week number.
@@ -3491,14 +3491,14 @@ types:
         type: u1
         repeat: expr
         repeat-expr: 16
-        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte."
+        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `cv7_inertial_continuous_built_in_test`. On the 3DM-CV7-GNSS/INS: values of `cv7_continuous_built_in_test`."
   base_comm_speed_response:
     -orig-id: base.comm_speed_response
     doc: "Comm port speed response. "
     seq:
       - id: port
         type: u1
-        doc: Port id of the device.
+        doc: "Port id of the device. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of `comm_interface`; only `main`, `uart_1` and `usb_1`. On the 3DM-CV7-GNSS/INS: values of `comm_interface`. On the 3DM-CV7-INS and 3DM-CX7-INS: values of `comm_interface`; only `main`, `uart_1`, `uart_2`, `uart_3` and `usb_1`. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of `comm_interface`; only `main`, `uart_1`, `uart_2` and `usb_1`. On the 3DM-RTK: the values are unknown."
       - id: baud
         type: u4
         doc: "Baud rate of the port. Unit: Bd."
@@ -3738,7 +3738,7 @@ types:
       - id: descriptor_set
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: Data descriptor set; 0 means all streams (save, load, default).
+        doc: "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `mip_3dm_legacy_data_stream`; only `all_streams`, `imu` and `filter`. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm_legacy_data_stream`. On the 3DM-GX5-15: values of `mip_3dm_legacy_data_stream`; only `imu` and `filter`."
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
@@ -3792,11 +3792,11 @@ types:
       - id: enable_sbas
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "1 enables SBAS, 0 disables it. Range: 0 to 1."
+        doc: "1 enables SBAS, 0 disables it. Range: 0 to 1. On the 3DM-GX5-35: default 1."
       - id: sbas_options
         type: mip_3dm_sbas_options
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Purposes of SBAS.
+        doc: "Purposes of SBAS. On the 3DM-GX5-35: default `enable_ranging` and `enable_corrections`."
       - id: num_included_prns
         type: u1
         valid:
@@ -3822,11 +3822,11 @@ types:
         type: u1
         enum: mip_3dm_assisted_fix_option
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Storage of data for a faster first fix. Default: `none_value`."
+        doc: "Storage of data for a faster first fix. Default: `none_value`. On the 3DM-GX5-35: default `none_value`."
       - id: flags
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: "Reserved: send 255."
+        doc: "Reserved: send 255. On the 3DM-GX5-35: default 255."
   mip_3dm_gnss_time_assistance:
     -orig-id: 3dm.gnss_time_assistance
     doc: GNSS time assistance. Sends the current GPS time to the GNSS receiver.
@@ -3861,7 +3861,7 @@ types:
         type: u1
         enum: mip_3dm_pps_source
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Source of the pulse.
+        doc: "Source of the pulse. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: only `disabled`, `gpio` and `generated`. On the 3DM-CV7-GNSS/INS: default `receiver_1`. On the 3DM-GQ7-GNSS/INS: only `disabled`, `receiver_1`, `receiver_2`, `gpio` and `generated`."
   mip_3dm_get_event_support:
     -orig-id: 3dm.get_event_support
     doc: Get supported events. Gets the types of event triggers or actions that the device supports, and the number of each.
@@ -4173,7 +4173,7 @@ types:
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
-        doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor."
+        doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
     doc: Magnetometer soft iron matrix. Sets the matrix that corrects the scaled magnetic field for soft iron.
@@ -4212,7 +4212,7 @@ types:
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "New baud rate; the port must support it. Unit: Bd."
+        doc: "New baud rate; the port must support it. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
     doc: GPIO configuration. Sets the use of a GPIO pin.
@@ -4234,7 +4234,7 @@ types:
       - id: behavior
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Role of the pin within the feature; 0 if the feature has no roles.
+        doc: "Role of the pin within the feature; 0 if the feature has no roles. If `feature` is `unused`: values of `gpio_unused_behavior`. If `feature` is `gpio`: values of `gpio_behavior`. If `feature` is `pps`: values of `gpio_pps_behavior`. If `feature` is `encoder`: values of `gpio_encoder_behavior`. If `feature` is `timestamp`: values of `gpio_timestamp_behavior`. If `feature` is `uart`: values of `gpio_uart_behavior`."
       - id: pin_mode
         type: gpio_pin_mode
         if: function_value == function_selector::write or _io.size >= 5
@@ -4290,7 +4290,7 @@ types:
       - id: target_descriptor
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17."
+        doc: "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read."
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
@@ -4302,7 +4302,7 @@ types:
       - id: frequency
         type: u2
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz."
+        doc: "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. On the 3DM-GX5-15: range at most 250."
       - id: reserved
         type: u1
         if: function_value == function_selector::write or _io.size >= 7
@@ -4319,11 +4319,11 @@ types:
       - id: pitch_roll_enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: True enables the pitch and roll correction, which 5-series manuals call up compensation.
+        doc: "True enables the pitch and roll correction, which 5-series manuals call up compensation. On the 3DM-GX5-15: default true."
       - id: heading_enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: True enables the heading correction, which 5-series manuals call north compensation.
+        doc: "True enables the heading correction, which 5-series manuals call north compensation. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10 and 3DM-CX5-15: MSCL has no support for it. On the 3DM-GX5-15: default true."
       - id: pitch_roll_time_constant
         type: f4
         if: function_value == function_selector::write or _io.size >= 7
@@ -4345,7 +4345,7 @@ types:
         type: u1
         enum: mip_3dm_sensor_range_type
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: Sensor whose range is set or read.
+        doc: "Sensor whose range is set or read. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `all`, `accel`, `gyro` and `pressure`."
       - id: setting
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
@@ -4357,7 +4357,7 @@ types:
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
-        doc: "Sensor to query; `all` is not allowed."
+        doc: "Sensor to query; `all` is not allowed. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `all`, `accel`, `gyro` and `pressure`."
   mip_3dm_low_pass_filter:
     -orig-id: 3dm.low_pass_filter
     doc: Low-pass anti-aliasing filter. Configures the low-pass filter of a data field.
@@ -4419,7 +4419,7 @@ types:
         type: u1
         enum: mip_3dm_internal_sensor
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: The sensor.
+        doc: "The sensor. On the 3DM-GX3-15 and 3DM-GX3-25: only `imu`."
       - id: state
         type: u1
         enum: mip_3dm_sensor_power_state
@@ -4440,7 +4440,7 @@ types:
     seq:
       - id: model_number
         type: u2
-        doc: Model number of the device that replies.
+        doc: "Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251."
       - id: status_selector
         type: u1
         enum: mip_3dm_device_status_selector
@@ -4507,7 +4507,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Stream specified in the command.
+        doc: "Stream specified in the command. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `mip_3dm_legacy_data_stream`; only `all_streams`, `imu` and `filter`. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm_legacy_data_stream`. On the 3DM-GX5-15: values of `mip_3dm_legacy_data_stream`; only `imu` and `filter`."
       - id: enabled
         type: u1
         doc: True if the stream is sent.
@@ -4672,7 +4672,7 @@ types:
         doc: Reserved.
       - id: system_state
         type: u2
-        doc: State of the system; the meaning of its values is not documented.
+        doc: "State of the system; the meaning of its values is not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm_gx4_system_state`."
       - id: system_timer
         type: u4
         doc: "Time since start-up. Unit: ms."
@@ -5577,7 +5577,7 @@ types:
         type: mip_3dm_event_support_info
         repeat: expr
         repeat-expr: num_entries
-        doc: The types.
+        doc: "The types. If `query` is `trigger_types`: `type` has values of `event_trigger_type`. If `query` is `action_types`: `type` has values of `event_action_type`."
   mip_3dm_event_control_response:
     -orig-id: 3dm.event_control_response
     doc: "Event control response. "
@@ -5689,7 +5689,7 @@ types:
         doc: "Use of the pin. Default: `unused`."
       - id: behavior
         type: u1
-        doc: Role of the pin within the feature; 0 if the feature has no roles.
+        doc: "Role of the pin within the feature; 0 if the feature has no roles. If `feature` is `unused`: values of `gpio_unused_behavior`. If `feature` is `gpio`: values of `gpio_behavior`. If `feature` is `pps`: values of `gpio_pps_behavior`. If `feature` is `encoder`: values of `gpio_encoder_behavior`. If `feature` is `timestamp`: values of `gpio_timestamp_behavior`. If `feature` is `uart`: values of `gpio_uart_behavior`."
       - id: pin_mode
         type: gpio_pin_mode
         doc: Electrical options.
@@ -5745,7 +5745,7 @@ types:
         type: mip_3dm_sensor_range_entry
         repeat: expr
         repeat-expr: num_ranges
-        doc: Ranges for which the sensor is calibrated.
+        doc: "Ranges for which the sensor is calibrated. If `sensor` is `accel`: `range_value` has unit g. If `sensor` is `gyro`: `range_value` has unit deg/s. If `sensor` is `mag`: `range_value` has unit gauss. If `sensor` is `pressure`: `range_value` has unit mbar."
   mip_3dm_low_pass_filter_response:
     -orig-id: 3dm.low_pass_filter_response
     doc: "Low-pass anti-aliasing filter response. "
@@ -5811,7 +5811,7 @@ types:
         type: u1
         enum: filter_dynamics_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Kind of vehicle.
+        doc: "Kind of vehicle. On the 3DM-GX3-45: only `portable`, `automotive` and `airborne`."
   filter_sensor_to_vehicle_rotation_euler:
     -orig-id: filter.sensor_to_vehicle_rotation_euler
     doc: Sensor to vehicle frame transformation. Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
@@ -5858,7 +5858,7 @@ types:
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame sensor."
   filter_estimation_control:
     -orig-id: filter.estimation_control
     doc: Estimation control flags. Selects the states that the filter estimates.
@@ -5871,7 +5871,7 @@ types:
       - id: flags
         type: filter_estimated_states
         if: function_value == function_selector::write or _io.size >= 3
-        doc: States to estimate.
+        doc: "States to estimate. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only `gyro_bias`. On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `gyro_bias`, `auto_hard_iron` and `auto_soft_iron`. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `gyro_bias`, `accel_bias`, `gyro_scale_factor`, `accel_scale_factor` and `antenna_offset`."
   filter_gnss_source:
     -orig-id: filter.gnss_source
     doc: GNSS aiding source. Selects the GNSS receiver that aids the filter.
@@ -5885,7 +5885,7 @@ types:
         type: u1
         enum: filter_gnss_aiding_source
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Source of the GNSS data.
+        doc: "Source of the GNSS data. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `external`. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `all_internal`, `external` and `internal_1`. On the 3DM-GX5-45: only `all_internal` and `external`."
   filter_external_gnss_update:
     -orig-id: filter.external_gnss_update
     doc: External GNSS update. Sends one position and velocity measurement from your own GNSS receiver to the filter.
@@ -5941,7 +5941,7 @@ types:
         type: u1
         enum: filter_heading_update_source
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Source of the heading.
+        doc: "Source of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `none_value` and `external`. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only `none_value`, `mag` and `external`. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `none_value`, `mag`, `gnss_velocity` and `external`. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `none_value`, `gnss_velocity` and `external`."
   filter_auto_initialization_control:
     -orig-id: filter.auto_initialization_control
     doc: Automatic initialization. Sets whether the filter initializes automatically at power-up.
@@ -6186,7 +6186,7 @@ types:
       - id: control
         type: filter_measurement_flags
         if: function_value == function_selector::write or _io.size >= 3
-        doc: Measurements to use.
+        doc: "Measurements to use. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `accel`."
   filter_mag_noise:
     -orig-id: filter.mag_noise
     doc: Magnetometer noise. Sets the standard deviation of the magnetometer noise that the filter assumes.
@@ -6213,7 +6213,7 @@ types:
         type: u1
         enum: filter_mag_parameter_source
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Source of the declination.
+        doc: "Source of the declination. On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only `none_value` and `manual`. On the 3DM-GQ7-GNSS/INS: only `wmm` and `manual`."
       - id: declination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
@@ -6231,7 +6231,7 @@ types:
         type: u1
         enum: filter_adaptive_measurement_selector
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Kind of adaptation.
+        doc: "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `disabled` and `fixed_value`."
       - id: frequency
         type: f4
         if: _io.size >= 6
@@ -6269,7 +6269,7 @@ types:
         type: u1
         enum: filter_adaptive_measurement_selector
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Kind of adaptation.
+        doc: "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `disabled` and `fixed_value`."
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
@@ -6426,7 +6426,7 @@ types:
         type: u2
         enum: filter_aiding_source
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 3
-        doc: "The source; `all` is for save, load and default."
+        doc: "The source; `all` is for save, load and default. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only `mag`, `external_heading` and `all`. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `external_heading` and `all`. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `gnss_position_velocity`, `altimeter`, `mag`, `external_heading`, `external_altimeter`, `external_mag`, `body_frame_velocity` and `all`. On the 3DM-GQ7-GNSS/INS: only `gnss_position_velocity`, `gnss_heading`, `altimeter`, `speed`, `mag`, `external_heading` and `all`."
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
@@ -6476,7 +6476,7 @@ types:
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Methods that may be used to determine the initial heading.
+        doc: "Methods that may be used to determine the initial heading. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `kinematic`, `mag` and `external`. On the 3DM-GQ7-GNSS/INS: only `dual_antenna`, `kinematic` and `mag`."
       - id: initial_heading
         type: f4
         if: function_value == function_selector::write or _io.size >= 8
@@ -6492,11 +6492,11 @@ types:
       - id: initial_position
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 28
-        doc: Initial position that your program provides.
+        doc: "Initial position that your program provides. If `reference_frame_selector` is `ecef`: unit m; frame ecef. If `reference_frame_selector` is `llh`: elements latitude, longitude, height; unit deg, deg, m; frame llh."
       - id: initial_velocity
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 40
-        doc: "Initial velocity that your program provides. Unit: m/s."
+        doc: "Initial velocity that your program provides. Unit: m/s. If `reference_frame_selector` is `ecef`: frame ecef. If `reference_frame_selector` is `llh`: elements north, east, down; frame ned."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
@@ -6515,7 +6515,7 @@ types:
         type: u1
         enum: filter_adaptive_level
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Strength of the adaptation. Default: 2."
+        doc: "Strength of the adaptation. Default: 2. On the 3DM-GX5-45: only `off` and `moderate`."
       - id: time_limit
         type: u2
         if: function_value == function_selector::write or _io.size >= 4
@@ -6559,7 +6559,7 @@ types:
       - id: reference_coordinates
         type: vector3d
         if: function_value == function_selector::write or _io.size >= 27
-        doc: Reference point.
+        doc: "Reference point. If `reference_frame_selector` is `ecef`: unit m; frame ecef. If `reference_frame_selector` is `llh`: elements latitude, longitude, height; unit deg, deg, m; frame llh."
   filter_reference_point_lever_arm:
     -orig-id: filter.reference_point_lever_arm
     doc: Reference point lever arm. Moves the point to which the position and the velocity of the filter refer.
@@ -6653,7 +6653,7 @@ types:
       - id: max_offset
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0."
+        doc: "Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1."
   filter_vehicle_dynamics_mode_response:
     -orig-id: filter.vehicle_dynamics_mode_response
     doc: "Vehicle dynamics mode response. "
@@ -6688,7 +6688,7 @@ types:
     seq:
       - id: offset
         type: vector3f
-        doc: "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-CX5-45: frame sensor (inferred: the manual of the 3DM-GX5-45 states it). On the 3DM-GX5-45: frame sensor."
   filter_estimation_control_response:
     -orig-id: filter.estimation_control_response
     doc: "Estimation control flags response. "
@@ -7024,10 +7024,10 @@ types:
         doc: "Initial roll angle. Unit: deg. Frame: ned."
       - id: initial_position
         type: vector3f
-        doc: Initial position that your program provides.
+        doc: "Initial position that your program provides. If `reference_frame_selector` is `ecef`: unit m; frame ecef. If `reference_frame_selector` is `llh`: elements latitude, longitude, height; unit deg, deg, m; frame llh."
       - id: initial_velocity
         type: vector3f
-        doc: "Initial velocity that your program provides. Unit: m/s."
+        doc: "Initial velocity that your program provides. Unit: m/s. If `reference_frame_selector` is `ecef`: frame ecef. If `reference_frame_selector` is `llh`: elements north, east, down; frame ned."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
@@ -7067,7 +7067,7 @@ types:
         doc: Frame of the coordinates.
       - id: reference_coordinates
         type: vector3d
-        doc: Reference point.
+        doc: "Reference point. If `reference_frame_selector` is `ecef`: unit m; frame ecef. If `reference_frame_selector` is `llh`: elements latitude, longitude, height; unit deg, deg, m; frame llh."
   filter_reference_point_lever_arm_response:
     -orig-id: filter.reference_point_lever_arm_response
     doc: "Reference point lever arm response. "
@@ -7904,7 +7904,7 @@ types:
         type: u1
         enum: system_protocol_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "Communication mode. Default: `standard`."
+        doc: "Communication mode. Default: `standard`. On the 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-15 and 3DM-GX5-25: only `standard` and `sensor_direct`. On the 3DM-GX5-35: default `standard`."
   system_interface_control_response:
     -orig-id: system.interface_control_response
     doc: "Interface control response. "
@@ -7989,14 +7989,14 @@ types:
     seq:
       - id: m
         type: matrix3f
-        doc: "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned."
+        doc: "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: Rotation from the NED frame to the sensor frame."
   sensor_comp_quaternion:
     -orig-id: sensor.comp_quaternion
     doc: Complementary filter quaternion. Attitude from the complementary filter as a quaternion, relative to the NED frame.
     seq:
       - id: q
         type: quatf
-        doc: "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned."
+        doc: "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. On the 3DM-GX5-15: Rotates vectors of the sensor frame into the NED frame; Hamilton quaternion, w first."
   sensor_comp_orientation_update_matrix:
     -orig-id: sensor.comp_orientation_update_matrix
     doc: "Complementary filter orientation update matrix. Change in the complementary filter's attitude, as a matrix."
@@ -8076,13 +8076,13 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow_valid` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow_valid` is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if `valid_flags.time_initialized` is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if `valid_flags.time_initialized` is set."
       - id: week_number
         type: u2
-        doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number_valid` is set."
+        doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number_valid` is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if `valid_flags.time_initialized` is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if `valid_flags.time_initialized` is set."
       - id: valid_flags
         type: sensor_gps_timestamp_flags
-        doc: State of the time.
+        doc: "State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `gx5_sensor_gps_timestamp_flags` (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of `gx5_sensor_gps_timestamp_flags`."
   sensor_temperature_statistics:
     -orig-id: sensor.temperature_statistics
     doc: Temperature statistics. Temperatures since the last power-on or reset.
@@ -8116,7 +8116,7 @@ types:
     seq:
       - id: status
         type: sensor_overrange_flags
-        doc: One bit for each axis.
+        doc: "One bit for each axis. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `accel_x`, `accel_y`, `accel_z`, `gyro_x`, `gyro_y`, `gyro_z` and `pressure`."
   sensor_odometer:
     -orig-id: sensor.odometer
     doc: Odometer data. Speed measured by the wheel encoder.
@@ -9365,13 +9365,13 @@ types:
     seq:
       - id: filter_state
         type: u2
-        doc: Progress of the filter from start-up to its full solution.
+        doc: "Progress of the filter from start-up to its full solution. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_filter_state` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_filter_state` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_filter_state`. On the 3DM-GX5-15: values of `filter_data_gx5_filter_state`."
       - id: dynamics_mode
         type: u2
-        doc: Motion for which the filter is configured.
+        doc: "Motion for which the filter is configured. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_dynamics_mode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_dynamics_mode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_dynamics_mode`. On the 3DM-GX5-15: values of `filter_data_gx5_dynamics_mode`."
       - id: status_flags
         type: u2
-        doc: Condition and warnings.
+        doc: "Condition and warnings. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_status_flags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_status_flags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_status_flags`. On the 3DM-GX5-15: values of `filter_data_gx5_status_flags`."
   filter_data_timestamp:
     -orig-id: filter_data.timestamp
     doc: Filter timestamp. GPS time of the filter data.
@@ -9417,7 +9417,7 @@ types:
         doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: source
         type: filter_data_heading_source_flags
-        doc: Sources of the heading.
+        doc: "Sources of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `external`. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only `mag` and `external`."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9910,7 +9910,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: 16
-        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte."
+        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `cv7_inertial_continuous_built_in_test`. On the 3DM-CV7-GNSS/INS: values of `cv7_continuous_built_in_test`."
   system_data_time_sync_status:
     -orig-id: system_data.time_sync_status
     doc: Time sync status. Synchronization of the device time with the pulse per second.

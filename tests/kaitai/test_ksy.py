@@ -75,6 +75,8 @@ def test_what_readers_are_told(spec: str) -> None:
             assert told(p.description) in doc
             assert not p.units or f"Unit{'s' if len(p.units) > 1 else ''}: {', '.join(p.units)}." in doc
             told_of += len(p.units)
+            for fact in describe.topics(describe.parameter(p, record, of), "valid", "variant"):
+                assert view.say(fact.sentence) in doc
     for e in (t for t in of.all_types if isinstance(t, m.Enum)):
         values = tree["enums"][type_name(e)]
         assert set(values) == {v.value for v in e.values}

@@ -40,7 +40,7 @@ def test_each_data_field_is_a_message(spec: str) -> None:
             if p.derived or p.union:
                 continue
             assert re.search(rf" {names.member(p.name)}\b", text)
-            for topic in ("unit", "range"):
+            for topic in ("unit", "range", "valid", "variant"):
                 for fact in describe.topics(describe.parameter(p, f, of), topic):
                     assert " ".join(describe.say(fact.sentence, lambda ref: ref.words).split()) in said.replace("`", "")
 

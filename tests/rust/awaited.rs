@@ -137,6 +137,10 @@ where
         block_on(self.inner().request(command))
     }
 
+    pub fn send<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
+        block_on(self.inner().send(command))
+    }
+
     pub fn request_all<C: Commands>(
         &mut self,
         commands: C,

@@ -144,6 +144,27 @@ impl<C: Command> AnyCommand for C {
     }
 }
 
+/// A command that is sent without waiting for a reply.
+pub(crate) struct Silent<'c, C>(pub(crate) &'c C);
+
+impl<C: AnyCommand> AnyCommand for Silent<'_, C> {
+    fn kind(&self) -> &'static Kind {
+        self.0.kind()
+    }
+
+    fn is_silent(&self) -> bool {
+        true
+    }
+
+    fn wanted(&self) -> Option<ResponseCheck> {
+        None
+    }
+
+    fn write_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+        self.0.write_to(writer)
+    }
+}
+
 /// A command in bytes: for a few commands, this takes less code than their types.
 #[allow(dead_code)] // without the features of command sets
 pub(crate) struct Bytes<'d> {

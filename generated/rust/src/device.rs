@@ -44,7 +44,7 @@ use core::fmt;
 
 use crate::client::{
     after, has_passed, response, AnyCommand, Bytes, Client, CommandError, Event, Request,
-    RequestError, Ticket,
+    RequestError, Silent, Ticket,
 };
 use crate::error::DecodeError;
 use crate::field::{Command, RawField};
@@ -498,6 +498,17 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
         Ok(response::<C>(self.exchange(command, 1)?)?)
+    }
+
+    /// Sends a command, and does not wait for a reply; one that arrives is data. This is for commands
+    /// that the device does not acknowledge because of a setting of another command, which their
+    /// documentation names: [`Device::request`] would wait for each in vain.
+    ///
+    /// # Errors
+    ///
+    /// The command cannot be sent, or the port fails.
+    pub fn send<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
+        self.exchange(&Silent(command), 1).map(drop)
     }
 
     /// Sends a command, and returns the undecoded response; again, up to this number of times, if

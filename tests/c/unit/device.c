@@ -208,6 +208,7 @@ static void no_answers(void) {
     line.clock += 10000;
     const unsigned reads = line.reads;
     CHECK(is(mip_call_tools_set_time_apply(&device, MIP_MODE_FAST, 5), MIP_SENT, 0, MIP_OK) && line.reads == reads);
+    CHECK(is(mip_device_tell(&device, &mip_tools_ping_command, NULL), MIP_SENT, 0, MIP_OK) && line.reads == reads);
 
     /* A command that does not fit is not sent. */
     const unsigned writes = line.writes;

@@ -154,6 +154,18 @@ fn a_response_and_the_data_around_it() {
     }
 }
 
+#[test]
+fn a_command_that_is_only_sent() {
+    let reply = ack(1, AckCode::OK);
+    let mut device = device([vec![reply.clone()], vec![], vec![ack(1, AckCode::OK)]]);
+    assert_eq!(device.send(&tools::Ping), Ok(()));
+    took(&mut device, 0);
+    assert_eq!(next(&mut device), Some(reply)); // data
+    assert_eq!(device.send(&tools::Ping), Ok(()));
+    assert_eq!(device.request(&tools::Ping), Ok(())); // without a barrier: no reply is missing
+    assert_eq!((device.port().sent.len(), device.port().barriers), (3, 0));
+}
+
 /// The time that has passed since the last call.
 fn took<const N: usize, const Q: usize>(device: &mut Device<Played, N, Q>, milliseconds: u32) {
     let time = std::mem::take(&mut device.port_mut().now);

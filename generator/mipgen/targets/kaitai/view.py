@@ -15,7 +15,7 @@ from . import expressions, names
 from .names import SCALARS, member, type_name, value
 
 #: Topics in the documentation of a parameter, besides its description.
-TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
+TOPICS = ("unit", "frame", "range", "default", "valid", "reserved", "variant")
 
 
 @dataclass(frozen=True, slots=True)

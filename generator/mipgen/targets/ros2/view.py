@@ -130,7 +130,8 @@ def _comment(p: m.Parameter, record: m.Record, model: m.Model) -> Iterator[str]:
     elements = p.elements or (p.item.elements if p.kind == "array" else ())
     if elements:
         yield f"Elements: {', '.join(elements)}{' of each' if p.elements == () else ''}."
-    facts = describe.topics(describe.parameter(p, record, model), "unit", "frame", "range", "valid", "reserved")
+    topics = ("unit", "frame", "range", "valid", "reserved", "variant")
+    facts = describe.topics(describe.parameter(p, record, model), *topics)
     yield from (say(f.sentence) for f in facts)
 
 

@@ -307,6 +307,14 @@ MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,
                                           const struct mip_codec *codec, void *response);
 
+/**
+ * Sends a command, and does not wait for a reply; one that arrives is data. The outcome is
+ * MIP_SENT. This is for commands that the device does not acknowledge because of a setting of
+ * another command, which their documentation names: mip_device_call would wait for each in vain.
+ */
+MIP_API struct mip_result mip_device_tell(struct mip_device *device,
+                                          const struct mip_command *command, const void *value);
+
 /** `data` for a command that has none: any address. */
 #define MIP_NO_DATA(exchange) (&(exchange).descriptor)
 

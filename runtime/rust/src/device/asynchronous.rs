@@ -8,7 +8,7 @@ use embedded_io_async::{Error, ErrorKind, Read, Write};
 
 use super::{is_over, Client, Command, CommandError, Commands, Core, DeviceError, RequestError};
 use super::{BACKLOG, CHUNK};
-use crate::client::{response, AnyCommand, Bytes, Event, Request, Ticket};
+use crate::client::{response, AnyCommand, Bytes, Event, Request, Silent, Ticket};
 use crate::field::RawField;
 use crate::packet::{FromPacket, Packet};
 use crate::parser::{behind, Parser};
@@ -131,6 +131,16 @@ where
         command: &C,
     ) -> Result<C::Response, DeviceError<P::Error>> {
         Ok(response::<C>(self.exchange(command, 1).await?)?)
+    }
+
+    /// Sends a command, and does not wait for a reply; one that arrives is data. See
+    /// [`Device::send`](super::Device::send).
+    ///
+    /// # Errors
+    ///
+    /// The command cannot be sent, or the port fails.
+    pub async fn send<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
+        self.exchange(&Silent(command), 1).await.map(drop)
     }
 
     /// Sends a command, and returns the undecoded response; again, up to this number of times, if

@@ -271,6 +271,20 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     return carry_out(device, &request, bytes, builder.length - DATA);
 }
 
+struct mip_result mip_device_tell(struct mip_device *device, const struct mip_command *command,
+                                  const void *value) {
+    static const struct mip_response none = {NULL, 0, 0, MIP_NOT_ZERO, false};
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder builder;
+    struct mip_request request;
+    request_of(&request, command->exchange, NULL, NULL);
+    request.asked = &none;
+    take_in(device, bytes);
+    mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
+    request.result.error = (uint8_t)mip_command_encode(command, value, &builder);
+    return carry_out(device, &request, bytes, builder.length - DATA);
+}
+
 /** Sends data, and waits for the reply. */
 MIP_INLINE struct mip_result send(struct mip_device *device, struct mip_request *request,
                                   const uint8_t *data, size_t size) {
