@@ -54,6 +54,7 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
         check_words,
         enumerations,
         bitfields,
+        lengths,
         check_replies,
         check_clocks,
         check_session,
@@ -351,6 +352,17 @@ def bitfields(model: m.Model, problems: Problems) -> None:
 
 
 # --------------------------------------------------------------------------- fields
+
+
+def lengths(model: m.Model, problems: Problems) -> None:
+    """Requires that the shortest form of each field fits in a packet, that of a response behind its acknowledge.
+    Fields that no packet can contain were reported with the parameter that is too much."""
+    most = model.protocol.max_payload
+    for f in model.fields:
+        used = 2 + f.min_size + (4 if f.role == m.RESPONSE else 0)
+        if used > most and f.min_size <= m.MAX_FIELD_DATA:
+            beside = " with its acknowledge" if f.role == m.RESPONSE else ""
+            problems.add(f.position, f"'{f.full_name}' has {used} bytes{beside}; max_payload is {most}")
 
 
 def check_replies(model: m.Model, problems: Problems) -> None:

@@ -151,7 +151,7 @@ class _Example:
         assert octets is not None
         if "bytes" in self.node:
             field = _as_field(_complete(octets, place), place)
-            return self.built(self.number("an example of one field"), [field], place)
+            return built(self.model, self.number("an example of one field"), [field], place)
         if octets[-2:] == (None, None):
             head = _complete(octets[:-2], place)
             packet = head + codec.checksum(head)
@@ -185,13 +185,7 @@ class _Example:
             except codec.CodecError as error:
                 raise Wrong(values.position, f"'{name}' cannot be encoded: {error}") from error
             parts.append((field.descriptor, data))
-        return self.built(number, parts, self.node.keys["fields"])
-
-    def built(self, number: int, parts: list[tuple[int, bytes]], place: m.Position) -> bytes:
-        try:
-            return codec.build(self.model, number, parts)
-        except codec.CodecError as error:
-            raise Wrong(place, f"the fields do not make a packet: {error}") from error
+        return built(self.model, number, parts, self.node.keys["fields"])
 
     # ----------------------------------------------------------------------- fields
 
@@ -301,6 +295,13 @@ def readable(value: object) -> str:
         if math.isfinite(struct.unpack(">f" if len(raw) == 4 else ">d", raw)[0]):
             return f"{literals.decimal(value)} ({value!r})"
     return repr(value)
+
+
+def built(model: m.Model, number: int, parts: list[tuple[int, bytes]], place: m.Position) -> bytes:
+    try:
+        return codec.build(model, number, parts)
+    except codec.CodecError as error:
+        raise Wrong(place, f"the fields do not make a packet: {error}") from error
 
 
 def field_named(model: m.Model, name: str, place: m.Position) -> m.Field:

@@ -124,7 +124,7 @@ class _Guide:
             command=command,
             values=values,
             packet=packet,
-            answer=b"" if silent else self.answer(command, response),
+            answer=b"" if silent else self.answer(command, response, place),
             host=node["host"].value if "host" in node else "",
             response=response,
             data=tuple(self.stream(n, devices) for n in node.get("data") or ()),
@@ -164,9 +164,10 @@ class _Guide:
 
     def packet(self, number: int, fields: list[tuple[m.Field, codec.Values]], place: m.Position) -> bytes:
         try:
-            return codec.build(self.model, number, [(f.descriptor, codec.encode(f, values)) for f, values in fields])
+            parts = [(f.descriptor, codec.encode(f, values)) for f, values in fields]
         except codec.CodecError as error:
             raise evidence.Wrong(place, f"no packet can be built from this: {error}") from error
+        return evidence.built(self.model, number, parts, place)
 
     # ----------------------------------------------------------------------- answers
 
@@ -190,11 +191,10 @@ class _Guide:
             raise evidence.Wrong(answer.keys[name], f"'{f.full_name}' is not answered with '{name}' here: {remedy}")
         return self.shown(possible[name], stated, node.get("typical"))
 
-    def answer(self, f: m.Field, response: Shown | None) -> bytes:
+    def answer(self, f: m.Field, response: Shown | None, place: m.Position) -> bytes:
         acknowledge = (self.model.protocol.acknowledge.descriptor, bytes([f.descriptor, 0]))
-        return codec.build(
-            self.model, f.set, [acknowledge, *([(response.field.descriptor, response.data)] if response else [])]
-        )
+        responses = [(response.field.descriptor, response.data)] if response else []
+        return evidence.built(self.model, f.set, [acknowledge, *responses], place)
 
     def shown(self, f: m.Field, stated: Node | None, example: Node | None = None) -> Shown:
         """Returns a field with all its values: stated values, else those of an example, else typical ones."""

@@ -143,8 +143,8 @@ class _Values:
         if not isinstance(node.value, dict):
             q = self.quantity(node)
             factor = self.factor(q, p, node) if q else 1.0
-            self.check_typical(q, p, factor, node)
-            return Value(path, node.value, factor)
+            shows = q is None or self.shows_typical(q, p, factor, node)
+            return Value(path, node.value if shows else "", factor)
         ((kind, n),) = node.items()
         if kind == "number":
             return Value(path, number=n.value)
@@ -177,14 +177,16 @@ class _Values:
                 node.position, f"'{commands[0].full_name}' has no parameter '{node.value}' to be shown{near}"
             )
 
-    def check_typical(self, q: Quantity | None, p: m.Parameter, factor: float, node: Node) -> None:
-        if q is None or q.typical is None:
-            return
+    def shows_typical(self, q: Quantity, p: m.Parameter, factor: float, node: Node) -> bool:
+        if q.typical is None:
+            return True
         try:
             value = simulated_values.simulated_value(p, q.typical, factor)
             codec.encode_value(p, value)
         except (ValueError, codec.CodecError) as error:
             self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
+            return False
+        return True
 
     def factor(self, q: Quantity, p: m.Parameter, node: Node) -> float:
         """Returns the factor from the unit of a quantity to the unit of a parameter, whose elements may have

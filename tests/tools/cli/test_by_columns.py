@@ -53,6 +53,7 @@ STREAMS = {
     "empty": bytes,
     "noise": lambda: random.Random(1).randbytes(3000) + b"\x75\x65\x80\x20" * 20_000 + b"no end" * 20_000 + GOOD * 3,
     "sentences": lambda: (GOOD + WRONG) * 5000,
+    "dated, goes back": lambda: damaged(1796100900),
     **{f"damaged {seed}": lambda seed=seed: damaged(seed) for seed in range(SEED, SEED + rounds(1, 20))},
 }
 
@@ -159,7 +160,7 @@ def cut_plainly(pieces: Pieces, options: dict[str, str]) -> bytes:
         if piece.packet is None:
             continue
         time = next(moments)
-        if piece.offset in line.restarts(clock):
+        if piece.offset in line.restarts(clock) and not clocks.dated(clock):  # a date is not moved
             added = None
         if time != times.NONE:
             added = now - time if added is None else added
