@@ -19,7 +19,7 @@ export interface PollEntry {
     /** Field descriptor. */
     descriptor: number;
     /** Reserved; occupies the position of a decimation. Reserved: send 0. */
-    reserved: number;
+    reserved?: number;
 }
 
 export type FactoryStreamingAction = Flavor<number, "3dm.factory_streaming_action">;

@@ -54,7 +54,7 @@ export interface MeasurementTime {
     /** Clock that the time refers to. */
     timebase: Timebase;
     /** Reserved: send 1. */
-    reserved: number;
+    reserved?: number;
     /** Time by that clock. Unit: ns. */
     nanoseconds: bigint;
 }

@@ -19,9 +19,13 @@ PAGES = ("README.md", "docs/columns.md", "docs/fleet.md", "docs/simulate.md", "g
 ARRAYS = """\
 from pathlib import Path
 from typing_extensions import assert_type
-from mip_protocol import FunctionSelector, aio, gnss, mip_3dm, open_port, types
+from mip_protocol import FunctionSelector, aio, gnss, mip_3dm, open_port, sensor, types
 
-open_port(Path("/dev/ttyACM0"))
+device = open_port(Path("/dev/ttyACM0"))
+rates = {sensor.ScaledAccel: 100, sensor.ScaledGyro: 50}
+device.stream(rates)
+device.stream(device.stream({sensor.ScaledAccel: 100}))
+device.stream({100: sensor.ScaledAccel})  # not a type of field
 aio.open_port(Path("/dev/ttyACM0"))
 
 rate = types.DescriptorRate(4, 10)

@@ -393,7 +393,8 @@ export declare class Device implements AsyncIterable<Packet> {
     identify(): Promise<Identity>;
     /**
      * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
-     * supports. Replaces the set's message format, enables its stream and resumes. Returns the rates.
+     * supports. Replaces the set's message format, enables its stream and resumes. Returns the rates. Adds no timestamp:
+     * list one for `packet.time`.
      *
      * Throws a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
      * "set" if the fields have no set in common; and the errors of `request`.

@@ -319,13 +319,13 @@ class Device(AtPort):
     # needs: session
     async def stream(
         self,
-        rates: Mapping[type[Field], float],
+        rates: Mapping[type[F], float],
         *,
         set: int | None = None,
         timestamp: str | None = "auto",
     ) -> dict[type[Field], float]:
         """Like `device.Device.stream`."""
-        dialog = steps(session(), rates, set, timestamp, self._talk.identified)
+        dialog = steps(session(), dict(rates.items()), set, timestamp, self._talk.identified)
         return await self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates

@@ -312,7 +312,7 @@ class Device(AtPort):
     # needs: session
     def stream(
         self,
-        rates: Mapping[type[Field], float],
+        rates: Mapping[type[F], float],
         *,
         set: int | None = None,
         timestamp: str | None = "auto",
@@ -328,7 +328,7 @@ class Device(AtPort):
         number; ValueError and EncodeError if the fields have no set in common; and whatever
         `request` raises.
         """
-        dialog = steps(session(), rates, set, timestamp, self._talk.identified)
+        dialog = steps(session(), dict(rates.items()), set, timestamp, self._talk.identified)
         return self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates

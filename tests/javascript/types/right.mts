@@ -52,7 +52,7 @@ export async function data(device: Device): Promise<number> {
 export function values(packet: Packet): Uint8Array {
     const accel = new ScaledAccel({ scaledAccel: [0, 0, -1] });
     const position = new EcefPosition({
-        time: { timebase: 1, reserved: 1, nanoseconds: 5n },
+        time: { timebase: 1, nanoseconds: 5n }, // without the reserved byte
         frameId: 1,
         position: [1, 2, 3],
         uncertainty: [1, 1, 1],

@@ -54,9 +54,9 @@ struct mip_rate {
 
 /**
  * Starts the data of a set: reads the base rate of the set, writes which fields are sent and how
- * often, in this order, enables the stream, and ends the idle state. Fields that all sets share,
- * such as time stamps, come first. If the device rejects the first command, the older commands for
- * the set are used instead.
+ * often, in this order, enables the stream, and ends the idle state. No timestamp is added: list
+ * one to get the times of packets. Fields that all sets share, such as timestamps, come first. If
+ * the device rejects the first command, the older commands for the set are used instead.
  *
  * A device divides its base rate by whole numbers. If it does not support a wanted rate, nothing is
  * changed, and the outcome is MIP_NO_SUCH_RATE: look for the rates whose `wanted` and `nearest`

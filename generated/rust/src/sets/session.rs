@@ -395,10 +395,10 @@ $($of)* {
     /// in Hz, which is that of [`Rate::fastest`]. A base rate of 0 means that data is sent as it
     /// arrives.
     ///
-    /// Fields that all sets share, such as time stamps, come first. If the device rejects the first
-    /// command, the older commands for the set are used instead. Commands without a reply are
-    /// repeated. With the feature `open`, it first asks which model the device is, unless that is
-    /// known.
+    /// No timestamp is added: list one to get the times of packets. Fields that all sets share, such
+    /// as timestamps, come first. If the device rejects the first command, the older commands for
+    /// the set are used instead. Commands without a reply are repeated. With the feature `open`, it
+    /// first asks which model the device is, unless that is known.
     ///
     /// # Errors
     ///

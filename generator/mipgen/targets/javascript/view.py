@@ -183,12 +183,16 @@ def _part(name: str, definition: str, of: str, doc: list[str]) -> Item:
 
 
 def _parameters(record: m.Record, model: m.Model) -> list[Item]:
-    where = home(record)
+    where, structure = home(record), isinstance(record, m.Struct)
+
+    def may_be_absent(p: m.Parameter) -> bool:
+        return p.name in record.present_with or (structure and p.reserved is not None)  # of a field: `_values`
+
     return [
         Item(
             blocks.object_key(member(p.name)),
             blocks.block(p, where),
-            "" if p.derived else f"{declared(p, where, p.name in record.present_with)};",
+            "" if p.derived else f"{declared(p, where, may_be_absent(p))};",
             COMMENTS.member(p, record, model),
         )
         for p in record.parameters
