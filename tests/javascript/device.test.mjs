@@ -283,6 +283,15 @@ test("the answer to a command that is only sent is not waited for, nor taken for
     await device.close();
 });
 
+test("bytes that are not commands are written until the port is lost", async () => {
+    const { device, port } = await opened();
+    await device.write(Uint8Array.of(0xd3, 0));
+    assert.deepEqual(port.written, [Uint8Array.of(0xd3, 0)]);
+    port.lose();
+    await assert.rejects(device.next(), { kind: "closed" });
+    await assert.rejects(device.write(Uint8Array.of(0xd3, 0)), { kind: "closed" });
+});
+
 test("a setting that silences commands is asked for once", async () => {
     const echo = Uint8Array.of(0); // commands are not acknowledged
     const { device, port } = await opened((bytes) => {

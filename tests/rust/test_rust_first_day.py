@@ -226,12 +226,12 @@ def test_times_are_those_of_the_model_that_a_stream_asks_for(tmp_path: Path) -> 
     assert found == ["None", *[f'Some("{GX5}")'] * 3], done.stdout + done.stderr
 
 
-#: One port is lost and cannot be opened again, one is opened at the second attempt; ports of each kind copy what they
-#: receive.
+#: One port is lost and cannot be opened again, one is opened at the second attempt, one writes what a
+#: program passes; ports of each kind copy what they receive.
 PORTS = """
 use mip_protocol::base::Ping;
 use mip_protocol::device::{AsyncLine, Device, DeviceError, Line, Port, TokioDevice};
-use std::{fs, io::Write, net::TcpListener, time::Duration};
+use std::{fs, io::{Read, Write}, net::TcpListener, time::Duration};
 const PING: &[u8] = b"noise\\x75\\x65\\x01\\x02\\x02\\x01\\xE0\\xC6";
 
 fn listening() -> (TcpListener, String) {
@@ -283,12 +283,22 @@ async fn recorded(path: &str) {
     }
 }
 
+async fn written() {
+    let (listener, place) = listening();
+    let device = TokioDevice::at(AsyncLine::open(&place).await.unwrap());
+    device.split().0.write(PING).await.unwrap();
+    let mut bytes = [0; PING.len()];
+    listener.accept().unwrap().0.read_exact(&mut bytes).unwrap();
+    assert_eq!(bytes, PING);
+}
+
 #[tokio::main]
 async fn main() {
     let words: Vec<String> = std::env::args().collect();
     match &*words[1] {
         "lost" => lost().await,
         "retried" => retried(&words[2]),
+        "written" => written().await,
         _ => recorded(&words[2]).await,
     }
 }
@@ -300,5 +310,5 @@ def test_ports_of_programs(tmp_path: Path) -> None:
     _, terminal = os.openpty()
     (tmp_path / "port").symlink_to(os.ttyname(terminal))
     program = built("ports", PORTS)
-    for words in (["lost"], ["retried", tmp_path / "port"], ["recorded", tmp_path / "log.bin"]):
+    for words in (["lost"], ["written"], ["retried", tmp_path / "port"], ["recorded", tmp_path / "log.bin"]):
         subprocess.run([program, *words], check=True, timeout=PATIENCE)

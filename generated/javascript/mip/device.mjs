@@ -124,13 +124,18 @@ export class Device {
             return new Promise((resolve) => this.#waiting.set(command, resolve));
         });
         this.#watch();
+        await this.write(bytes);
+        return outcomes;
+    }
+
+    async write(bytes) {
+        this.#mustBeOpen();
         try {
             await this.#port.write(bytes);
         } catch (error) {
             this.#lose(error);
             this.#mustBeOpen();
         }
-        return outcomes;
     }
 
     #mustBeOpen() {

@@ -389,6 +389,8 @@ export declare class Device implements AsyncIterable<Packet> {
     exchange(commands: readonly Command[], options?: { timeout?: number }): Promise<(Answer | TimedOut | Closed | undefined)[]>;
     /** Sends commands of one set in one packet and does not wait for replies, which are treated as data. */
     send(...commands: Command[]): Promise<void>;
+    /** Writes bytes that are not commands, such as RTCM corrections. Throws a MipError: "closed". */
+    write(bytes: Uint8Array): Promise<void>;
     /** Sets the device to idle and returns its identity: the response of the command for that. */
     identify(): Promise<Identity>;
     /**

@@ -220,6 +220,17 @@ pub struct CommandHalf {
 }
 
 impl CommandHalf {
+    /// Writes bytes that are not commands, such as RTCM corrections. Waits until no command is being
+    /// sent or answered.
+    ///
+    /// # Errors
+    ///
+    /// The port fails.
+    pub async fn write(&self, bytes: &[u8]) -> Result<(), DeviceError<io::Error>> {
+        let mut port = self.shared.port.lock().await;
+        port.write_all(bytes).await.map_err(DeviceError::Port)
+    }
+
     /// Sends a command, waits until the device has carried it out, and returns its response. A
     /// command of another task waits until then.
     ///
