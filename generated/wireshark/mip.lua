@@ -920,7 +920,7 @@ field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", titl
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "field_id", type = "u8", size = 1, enum = E["base.gps_time_field"], doc = "Meaning of the value." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Week or seconds, as selected by `field_id`. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Week or seconds, as selected by `field_id`. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week.", readings = { {by = "field_id", value = 1, units = {"week", } }, {by = "field_id", value = 2, units = {"s", } }, } }, } },
     } }, { { set = 0x01, name = "base.gps_time_update", title = "GPS time update" }, })
 field({ descriptor = 0x7E, name = "base.soft_reset", role = "command", title = "Reset device",
     doc = "Acknowledges the command, then resets the device immediately.", least = 0,
@@ -2025,7 +2025,7 @@ field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", r
     rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor specified in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
-      { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Ranges for which the sensor is calibrated. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
+      { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Ranges for which the sensor is calibrated. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", readings = { {by = "sensor", value = 1, member = "range", units = {"g", } }, {by = "sensor", value = 2, member = "range", units = {"deg/s", } }, {by = "sensor", value = 3, member = "range", units = {"gauss", } }, {by = "sensor", value = 4, member = "range", units = {"mbar", } }, }, item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get calibrated sensor ranges response" }, })
 field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-pass anti-aliasing filter response",
     doc = "", least = 8,
@@ -2394,7 +2394,7 @@ field({ descriptor = 0x52, name = "filter.initialization_config", role = "comman
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll angle. Unit: deg. Frame: ned. Positive: right side down." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", readings = { {by = "reference_frame_selector", value = 1, units = {"m", } }, {by = "reference_frame_selector", value = 2, units = {"deg", "deg", "m", } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that your program provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
     } }, { { set = 0x0D, name = "filter.initialization_config", title = "Navigation filter initialization" }, })
@@ -2421,7 +2421,7 @@ field({ descriptor = 0x55, name = "filter.relative_position_config", role = "com
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", readings = { {by = "reference_frame_selector", value = 1, units = {"m", } }, {by = "reference_frame_selector", value = 2, units = {"deg", "deg", "m", } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
     } }, { { set = 0x0D, name = "filter.relative_position_config", title = "Relative position configuration" }, })
 field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "command", title = "Reference point lever arm",
     doc = "Moves the point to which the position and the velocity of the filter refer.", least = 1,
@@ -2715,7 +2715,7 @@ field({ descriptor = 0xD2, name = "filter.initialization_config_response", role 
       { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above." },
       { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up." },
       { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll angle. Unit: deg. Frame: ned. Positive: right side down." },
-      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", readings = { {by = "reference_frame_selector", value = 1, units = {"m", } }, {by = "reference_frame_selector", value = 2, units = {"deg", "deg", "m", } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that your program provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
     } }, { { set = 0x0D, name = "filter.initialization_config_response", title = "Navigation filter initialization response" }, })
@@ -2739,7 +2739,7 @@ field({ descriptor = 0xD5, name = "filter.relative_position_config_response", ro
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.relative_position_source"], doc = "Source of the reference point." },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the coordinates." },
-      { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", readings = { {by = "reference_frame_selector", value = 1, units = {"m", } }, {by = "reference_frame_selector", value = 2, units = {"deg", "deg", "m", } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
     } }, { { set = 0x0D, name = "filter.relative_position_config_response", title = "Relative position configuration response" }, })
 field({ descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", role = "response", title = "Reference point lever arm response",
     doc = "", least = 13,
@@ -4910,8 +4910,10 @@ end
 
 local preferences = mip.prefs
 
-local function unit(row)
-  local found = row.units and row.units[1] or ""
+-- Returns the unit of a value, or of an element of it; in a reading, it may be another one.
+local function unit(row, read_as, index)
+  local units = read_as and read_as.units or row.units
+  local found = units and units[index or 1] or ""
   return found ~= "" and " " .. found or ""
 end
 
@@ -4954,7 +4956,7 @@ local function device_in(conversation)
   return device and device.id or named[conversation] or nil
 end
 
--- Returns the type that names the values of a plain number, by another parameter or the device.
+-- Returns the type that names the values of a plain number, or the units, by another parameter or the device.
 local function reading(readings, record, member, device)
   for _, r in ipairs(readings or {}) do
     if r.member == member then
@@ -5044,9 +5046,9 @@ function add.scalar(made, context)
   local row, range = made.row, span(made, context)
   local item = context.tree:add(made.bound.filter, range)
   name_large(item, row, made.value, range:uint64())
-  item:append_text(unit(row))
   local read_as = reading(row.readings, context.record, nil, context.device)
     or reading(context.readings, context.outer, row.name, context.device)
+  item:append_text(unit(row, read_as))
   if read_as and read_as.enum then
     local name = read_as.enum[made.value]
     item:append_text(name and " (" .. name .. ")" or "")
@@ -5056,7 +5058,7 @@ function add.scalar(made, context)
   if made.bound.bits and not (read_as and read_as.flags) then
     bit_items(made, item, range)
   end
-  return written(made, range) .. unit(row), item
+  return written(made, range) .. unit(row, read_as), item
 end
 
 function add.constant(made, context)
@@ -5100,14 +5102,17 @@ function add.array(made, context)
   local row, range = made.row, span(made, context)
   if row.elements then
     local item, texts = context.tree:add(made.bound.filter, range), {}
+    local read_as = reading(row.readings, context.record, nil, context.device)
+    local units = read_as and read_as.units or row.units
+    local several = units and units[2]
     for i, part in ipairs(made.parts) do
       local _, element = add.scalar(part, within(context, item, {}))
-      texts[i] = written(part, span(part, context))
+      texts[i] = written(part, span(part, context)) .. (several and unit(row, read_as, i) or "")
       if not is_valid(row, context.record, context.device, i) then
         element:append_text(" (invalid)")
       end
     end
-    local common = not (row.units and row.units[2]) and unit(row) or ""
+    local common = several and "" or unit(row, read_as)
     local text = table.concat(texts, ", ") .. common
     item:set_text(row.name .. ": " .. text)
     return text, item

@@ -3,8 +3,10 @@
 
 local preferences = mip.prefs
 
-local function unit(row)
-  local found = row.units and row.units[1] or ""
+-- Returns the unit of a value, or of an element of it; in a reading, it may be another one.
+local function unit(row, read_as, index)
+  local units = read_as and read_as.units or row.units
+  local found = units and units[index or 1] or ""
   return found ~= "" and " " .. found or ""
 end
 
@@ -47,7 +49,7 @@ local function device_in(conversation)
   return device and device.id or named[conversation] or nil
 end
 
--- Returns the type that names the values of a plain number, by another parameter or the device.
+-- Returns the type that names the values of a plain number, or the units, by another parameter or the device.
 local function reading(readings, record, member, device)
   for _, r in ipairs(readings or {}) do
     if r.member == member then
@@ -137,9 +139,9 @@ function add.scalar(made, context)
   local row, range = made.row, span(made, context)
   local item = context.tree:add(made.bound.filter, range)
   name_large(item, row, made.value, range:uint64())
-  item:append_text(unit(row))
   local read_as = reading(row.readings, context.record, nil, context.device)
     or reading(context.readings, context.outer, row.name, context.device)
+  item:append_text(unit(row, read_as))
   if read_as and read_as.enum then
     local name = read_as.enum[made.value]
     item:append_text(name and " (" .. name .. ")" or "")
@@ -149,7 +151,7 @@ function add.scalar(made, context)
   if made.bound.bits and not (read_as and read_as.flags) then
     bit_items(made, item, range)
   end
-  return written(made, range) .. unit(row), item
+  return written(made, range) .. unit(row, read_as), item
 end
 
 function add.constant(made, context)
@@ -193,14 +195,17 @@ function add.array(made, context)
   local row, range = made.row, span(made, context)
   if row.elements then
     local item, texts = context.tree:add(made.bound.filter, range), {}
+    local read_as = reading(row.readings, context.record, nil, context.device)
+    local units = read_as and read_as.units or row.units
+    local several = units and units[2]
     for i, part in ipairs(made.parts) do
       local _, element = add.scalar(part, within(context, item, {}))
-      texts[i] = written(part, span(part, context))
+      texts[i] = written(part, span(part, context)) .. (several and unit(row, read_as, i) or "")
       if not is_valid(row, context.record, context.device, i) then
         element:append_text(" (invalid)")
       end
     end
-    local common = not (row.units and row.units[2]) and unit(row) or ""
+    local common = several and "" or unit(row, read_as)
     local text = table.concat(texts, ", ") .. common
     item:set_text(row.name .. ": " .. text)
     return text, item

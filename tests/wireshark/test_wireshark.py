@@ -182,6 +182,28 @@ def test_a_sibling_names_values(spec: str, tmp_path: Path) -> None:
     assert seen
 
 
+def test_a_sibling_has_units(tmp_path: Path) -> None:
+    """Of a number, of the members of structures in an array, and of each element of a vector."""
+    ranges, position = "3dm.get_calibrated_sensor_ranges_response", "filter.initialization_config"
+    cases: list[tuple[str, dict[str, Any], str]] = [
+        ("base.gps_time_update", {"field_id": 1, "value": 2300}, "value: 2300 week"),
+        ("base.gps_time_update", {"field_id": 2, "value": 60}, "value: 60 s"),
+        (ranges, {"sensor": 2, "num_ranges": 1, "ranges": [{"setting": 1, "range": "0x43960000"}]}, "range: 300 deg/s"),
+        (position, {"reference_frame_selector": 1}, "initial_position: 1, 2, 3 m"),
+        (position, {"reference_frame_selector": 2}, "initial_position: 1 deg, 2 deg, 3 m"),
+    ]
+    of, packets = model("real"), []
+    for name, given, _ in cases:
+        f = next(f for f in of.fields if f.full_name == name)
+        values = next(values for g, values in random_values("real") if g is f)
+        if "initial_position" in values:
+            values = {**values, "function": 1, "initial_position": ["0x3F800000", "0x40000000", "0x40400000"]}
+        data = codec.encode(f, {**values, **({"function": 1} if "function" in values else {}), **given})
+        packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
+    for frame, (_, _, wanted) in zip(trees(tmp_path, captures.serial(packets)), cases, strict=True):
+        assert any(text == wanted for text in texts(frame)), (wanted, texts(frame))
+
+
 #: Numbers that are equal as doubles, or too large for a mask that is one.
 LARGE = """
 set: 0xA0

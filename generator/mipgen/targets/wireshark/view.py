@@ -139,13 +139,12 @@ def _length(p: m.Parameter) -> dict[str, object]:
 
 
 def _meaning(p: m.Parameter, record: m.Record, model: m.Model) -> dict[str, object]:
-    units = ("" if unit == "1" else unit.symbol for unit in p.units) if set(p.units) - {"1"} else ()
     facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
     doc = " ".join(filter(None, (plain(describe.prose(p.description, model)), *(plain(f.sentence) for f in facts))))
-    readings = [lua_table(_reading(v)).replace("{ ", "{", 1) for v in p.variants if v.type]
+    readings = [lua_table(_reading(v)).replace("{ ", "{", 1) for v in p.variants if v.type or v.units]
     valid = [_validity(r, model) for r in validity.readings([p], record)]
     return {
-        "units": _texts(units),
+        "units": _units(p.units),
         "doc": string(doc),
         "readings": _list(readings) if readings else "",
         "valid": _list(valid) if valid else "",
@@ -167,7 +166,12 @@ def _validity(r: validity.Reading, model: m.Model) -> str:
 
 def _reading(v: m.Variant) -> dict[str, object]:
     condition = {"device": string(v.key)} if v.by_device else {"by": string(v.by), "value": lua_number(v.value or 0)}
-    return {**condition, "member": string(v.member) if v.member else "", **_names(v.type)}
+    member = string(v.member) if v.member else ""
+    return {**condition, "member": member, "units": _units(v.units), **_names(v.type)}
+
+
+def _units(units: tuple[m.Unit, ...]) -> str:
+    return _texts("" if unit == "1" else unit.symbol for unit in units) if set(units) - {"1"} else ""
 
 
 def _field(f: m.Field, model: m.Model) -> Field:
