@@ -30,7 +30,7 @@ SECTIONS = {
         "docs/settings.md": "Copy and compare settings",
         "docs/simulate.md": "Simulate a device",
         "docs/simulate-reference.md": "Simulator reference",
-        "docs/wireshark.md": "Wireshark",
+        "generated/wireshark/README.md": "Wireshark",
         "tools/workbench/README.md": "Workbench in the browser",
     },
     "Libraries": {

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import re
-import shutil
 import struct
-import subprocess
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -23,7 +19,7 @@ from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
 from shark import Shark
-from support import ROOT, SPECS, all_fields, heavy, model, need, set_of
+from support import SPECS, all_fields, heavy, model, set_of
 from timed_packets import cases_of_devices
 
 pytestmark = heavy("tshark")
@@ -307,31 +303,3 @@ def test_filters_select(expression: str, frames: list[int], tmp_path: Path) -> N
     ]  # fmt: skip
     found = trees(tmp_path, captures.serial(sent), "-Y", expression)
     assert [int(shown(frame, "frame.number")[0]) for frame in found] == frames
-
-
-# --------------------------------------------------------------------------- docs/wireshark.md
-
-PAGE = (ROOT / "docs/wireshark.md").read_text("utf-8")
-
-
-def words(text: str) -> list[str]:
-    """Lines without the spaces of columns."""
-    return [" ".join(line.split()) for line in text.splitlines() if line.strip()]
-
-
-def test_the_commands_print_what_the_page_says(tmp_path: Path) -> None:
-    for tool in ("tshark", "text2pcap", "od", "sed"):
-        need(tool)
-    shutil.copytree(ROOT / "generated/wireshark", tmp_path / "generated/wireshark")
-    own = {"HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path / ".config"), "LC_ALL": "C.UTF-8"}
-    options: dict[str, Any] = {"cwd": tmp_path, "env": os.environ | own, "capture_output": True, "text": True}
-    blocks = re.findall(r"```(sh|text)\n(.*?)```", PAGE, re.S)
-    assert [kind for kind, _ in blocks].count("text") == len(blocks) // 2
-    printed: list[str] = []
-    for kind, text in blocks:
-        if kind == "sh":
-            done = subprocess.run(["sh", "-e"], input=text, **options)
-            assert done.returncode == 0, text + done.stderr
-            printed = words(done.stdout)
-        else:
-            assert printed == words(text)

@@ -15,7 +15,7 @@ from mip_tools import __main__
 from mip_tools.devices.profiles import device_named
 from program import ENVIRONMENT, RECOGNIZED, log, on_a_full_disk, run
 from random_values import chance
-from support import ROOT, rounds
+from support import rounds
 
 ACCEL = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
 

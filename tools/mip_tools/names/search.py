@@ -1,7 +1,7 @@
 """Searches the specification for words: fields that have more of them, rarer ones, or in their names, come first.
 
-A word also stands for words that begin with it, and for its synonyms. The search of the site, `tools/workbench/rank.mjs`,
-also knows forms of words, questions and typing errors.
+A word also stands for words that begin with it, and for its synonyms. The search of the site,
+`tools/workbench/rank.mjs`, also knows forms of words, questions and typing errors.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
     for field in scores:
         title = _words(info(field.kind).title)
         scores[field] *= 1 + sum(word in words for word in title) / len(title)
-    best = max(scores.values(), default=0)
+    best = max((scores.get(f, 0) for f in fields), default=0)
     others = [f for f in fields if scores.get(f, 0) > best * _LEAST and f not in numbered]
     return numbered + sorted(others, key=lambda f: -scores[f])
 
