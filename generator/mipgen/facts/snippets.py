@@ -1,8 +1,7 @@
 """Short programs for documentation, in languages in which each command is a separate statement.
 
-The programs of C++ are in `targets/c/cpp_snippets`. tools/workbench/programs writes the same for any values.
-`tests/docs/test_reference_programs.py` compiles and runs each program, `tests/javascript/test_code.py` compares both
-sources.
+The programs of C++ are in `targets/c/cpp_snippets`. `tests/docs/test_reference_programs.py` compiles and runs each
+program.
 """
 
 from __future__ import annotations
