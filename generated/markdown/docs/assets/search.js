@@ -6,11 +6,10 @@ globalThis.mipSearch = (() => {
     const PAGES_FIRST = 3; // the first results are of different pages
     const LEAST = 5; // results are shown even if they are much worse than the first
     const NAMED = 6; // fields whose names begin with the text
-    /** How much pages count that are rarely asked for: those that repeat others, those for developers, documents. */
+    /** How much pages count that are rarely asked for: those that repeat others, documents. */
     const COUNT = [
         [/^(errata|examples|types|compare|indexes)\b.*#/, 0.3],
-        [/^project\/(architecture|c-measurements|conformance|kaitai|keys|new-language|proofs|simulate-reference|site|spec|versions)/, 0.6],
-        [/^project\//, 0.85],
+        [/^project\//, 0.7],
     ];
     /** Pages that are found by the words of all their sections, too. */
     const STORY = /^(guides|project)\/|^(packets|units)\./;
