@@ -704,10 +704,9 @@ export declare class DeviceStatusBasicRq1ImuResponse extends Response {
  *
  * State and timer.
  *
- * Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
- * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
- * Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9
- * more.
+ * Response to `DeviceStatus`. The size of its data distinguishes it from `DeviceStatusBasicWithoutStateResponse` and
+ * `DeviceStatusBasicGx3Response`. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`. Confirmed on 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -736,8 +735,8 @@ export declare class DeviceStatusBasicResponse extends Response {
  *
  * Timer only.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
- * `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
+ * `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response`. Sent if `statusSelector` is
  * `DeviceStatusSelector.BASIC`. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and
  * 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the
  * 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of
@@ -764,11 +763,11 @@ export declare class DeviceStatusBasicWithoutStateResponse extends Response {
  *
  * State, timer, and the counters of streams and port.
  *
- * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
+ * Response to `DeviceStatus`. The size of its data distinguishes it from `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
- * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-15; likely or assumed on 7 more.
+ * and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on
+ * 3DM-GX5-15; likely or assumed on 7 more.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -815,14 +814,13 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
  *
  * State, timer, and the counters of pulses, streams, port and receiver.
  *
- * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * Response to `DeviceStatus`. The size of its data distinguishes it from `DeviceStatusDiagnosticResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
- * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 2 more. Uncertain:
- * MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL
- * lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like
- * the system timer.
+ * and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on
+ * 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and
+ * -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values, from which the
+ * descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -885,13 +883,12 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
  *
  * The layout with GNSS, plus flags for parts that could not be started.
  *
- * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * Response to `DeviceStatus`. The size of its data distinguishes it from `DeviceStatusDiagnosticResponse`,
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
- * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual documents it. Uncertain: MSCL
- * lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like
- * the system timer.
+ * and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
+ * 3DM-GQ4-45. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from which
+ * the descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -960,13 +957,12 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
  *
  * The layout with GNSS, plus the temperature.
  *
- * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * Response to `DeviceStatus`. The size of its data distinguishes it from `DeviceStatusDiagnosticResponse`,
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
- * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual documents
- * it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are
- * assumed to be in ms like the system timer.
+ * and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the
+ * values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1035,13 +1031,13 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
- * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it for these devices; the
- * offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from
- * which the descriptions are inferred; the times are assumed to be in ms like the system timer.
+ * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in
+ * the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from which the descriptions
+ * are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1098,14 +1094,13 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
- * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10 and
- * 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
- * descriptions are inferred; the times are assumed to be in ms like the system timer. Uncertain: The units of the
- * ranges are not known.
+ * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
+ * manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred;
+ * the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1162,13 +1157,13 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
  *
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and
- * the units of temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges
- * are not known.
+ * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and the units of
+ * temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges are not
+ * known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1225,12 +1220,12 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and
- * the units of temperature and times; the descriptions are inferred from the names.
+ * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and the units of
+ * temperature and times; the descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1283,10 +1278,10 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
  *
  * State of the port.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
- * `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 contains it, with the names of the
- * values; the descriptions are inferred from the names.
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
+ * `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 contains it, with the names of the values; the
+ * descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1315,12 +1310,12 @@ export declare class DeviceStatusBasicGx3Response extends Response {
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
- * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. The size of its data distinguishes it from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 contains it, with the names of
- * the values; the descriptions are inferred from the names.
+ * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 contains it, with the names of the values; the
+ * descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)

@@ -329,9 +329,9 @@ export declare class InternalTimestamp extends Data {
  *
  * Time counted by the pulse per second.
  *
- * Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from `PpsTimestampWithFlags` by
- * the size of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Possibly
- * no device sends it; `PpsTimestampWithFlags` has more sources. Uncertain: No source states the epoch.
+ * Deprecated: the SDK marks it as deprecated and names no replacement. The size of its data distinguishes it from
+ * `PpsTimestampWithFlags`. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+ * Possibly no device sends it; `PpsTimestampWithFlags` has more sources. Uncertain: No source states the epoch.
  *
  * The sources contradict each other. Only the SDK has this layout.
  *
@@ -350,8 +350,8 @@ export declare class PpsTimestamp extends Data {
  *
  * Time counted by the pulse per second, with its state and nanoseconds.
  *
- * Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished from `PpsTimestamp` by
- * the size of its data. Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain
+ * Deprecated: the SDK marks the descriptor as deprecated and names no replacement. The size of its data distinguishes
+ * it from `PpsTimestamp`. Not listed in any device profile. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: No source lists the devices that send it; the SDK of 2014 dates from the time of
  * the 3DM-GX3. Uncertain: No source states the epoch.
  *

@@ -36,7 +36,7 @@ def of(path: str, own: m.Model = INVENTED) -> dict[str, str]:
         (
             "tools.status_old",
             "layout",
-            "Distinguished from <tools.status_long> and <tools.status_full> by the size of its data.",
+            "The size of its data distinguishes it from <tools.status_long> and <tools.status_full>.",
         ),
         ("tools.set_time_slow_response", "when", "Sent if <part> is <slow>."),
         ("3d.default", "silent", "Not acknowledged if <mode> of <tools.settings> is <fast>."),

@@ -1644,10 +1644,10 @@ class DgpsInfo(Shared, Data):
     State of the differential corrections.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfoSatellite` by the size of its
-    data. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 1 more. Uncertain: Devices
-    could also send `DgpsInfoSatellite`, the layout of the SDK, but only this one agrees with the
-    valid flags, which are the same in all sources.
+    (0x94) and gnss_external_2 (0x95). The size of its data distinguishes it from
+    `DgpsInfoSatellite`. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 1 more.
+    Uncertain: Devices could also send `DgpsInfoSatellite`, the layout of the SDK, but only this one
+    agrees with the valid flags, which are the same in all sources.
 
     The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in
     the SDK of 2014.
@@ -1736,7 +1736,7 @@ class DgpsInfoSatellite(Shared, Data):
     Differential correction for one satellite, in the SDK's layout of DGPS info.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
-    (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not
+    (0x94) and gnss_external_2 (0x95). The size of its data distinguishes it from `DgpsInfo`. Not
     listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Possibly no
     device sends it: the values are those of `DgpsChannel`, but the flags those of `DgpsInfo`, so a
     mistake in the SDK is likely.

@@ -1321,10 +1321,10 @@ class DeviceStatusBasicResponse(Response):
 
     State and timer.
 
-    Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
-    `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
+    Response to `DeviceStatus`. The size of its data distinguishes it from
+    `DeviceStatusBasicWithoutStateResponse` and `DeviceStatusBasicGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.BASIC`. Confirmed on 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST; likely or assumed on 9 more.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1389,8 +1389,8 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     Timer only.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response`. Sent if
     `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL uses it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
     3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
@@ -1447,12 +1447,13 @@ class DeviceStatusDiagnosticResponse(Response):
 
     State, timer, and the counters of streams and port.
 
-    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
-    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-15; likely or assumed on 7 more.
+    Response to `DeviceStatus`. The size of its data distinguishes it from
+    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-15; likely or
+    assumed on 7 more.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1619,15 +1620,16 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     State, timer, and the counters of pulses, streams, port and receiver.
 
-    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on
-    2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its
-    length is from a manual. Uncertain: MSCL lists only the names of the values, from which the
-    descriptions are inferred; the times are assumed to be in ms like the system timer.
+    Response to `DeviceStatus`. The size of its data distinguishes it from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Confirmed on 3DM-GX5-35 and 3DM-GX5-45;
+    likely or assumed on 2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of
+    GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values,
+    from which the descriptions are inferred; the times are assumed to be in ms like the system
+    timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1858,14 +1860,14 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
 
     The layout with GNSS, plus flags for parts that could not be started.
 
-    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual documents
-    it. Uncertain: MSCL lists only the names of the values, from which the descriptions are
-    inferred; the times are assumed to be in ms like the system timer.
+    Response to `DeviceStatus`. The size of its data distinguishes it from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No
+    known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
+    descriptions are inferred; the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2120,14 +2122,15 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
 
     The layout with GNSS, plus the temperature.
 
-    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
-    `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
-    `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
-    `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No
-    known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
-    descriptions are inferred; the times are assumed to be in ms like the system timer.
+    Response to `DeviceStatus`. The size of its data distinguishes it from
+    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticGx4Response`,
+    `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of
+    the values, from which the descriptions are inferred; the times are assumed to be in ms like the
+    system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2382,15 +2385,15 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Timer, and counters of pulses, streams, port and USB.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
-    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known
-    manual documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45
-    agree. Uncertain: MSCL lists only the names of the values, from which the descriptions are
-    inferred; the times are assumed to be in ms like the system timer.
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it
+    for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL
+    lists only the names of the values, from which the descriptions are inferred; the times are
+    assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2597,15 +2600,15 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
-    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL uses
-    it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
-    lists only the names of the values, from which the descriptions are inferred; the times are
-    assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL uses it for the
+    3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only
+    the names of the values, from which the descriptions are inferred; the times are assumed to be
+    in ms like the system timer. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2813,14 +2816,14 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
     port.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
-    2014 lists the names of the values and the units of temperature and times; the descriptions are
-    inferred from the names. Uncertain: The units of the ranges are not known.
+    `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the
+    names of the values and the units of temperature and times; the descriptions are inferred from
+    the names. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3027,14 +3030,14 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
 
     Timer, temperature and supply, and the counters of pulses, stream and port.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
-    2014 lists the names of the values and the units of temperature and times; the descriptions are
-    inferred from the names.
+    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the
+    names of the values and the units of temperature and times; the descriptions are inferred from
+    the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3225,8 +3228,8 @@ class DeviceStatusBasicGx3Response(Response):
 
     State of the port.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data.
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse`.
     Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014
     contains it, with the names of the values; the descriptions are inferred from the names.
 
@@ -3324,14 +3327,13 @@ class DeviceStatusDiagnosticGx3Response(Response):
 
     State of the port, and the counters of the port, USB, receiver and IMU.
 
-    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
-    `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
+    No device is known for certain to support it. Response to `DeviceStatus`. The size of its data
+    distinguishes it from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
-    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the
-    SDK of 2014 contains it, with the names of the values; the descriptions are inferred from the
-    names.
+    `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse`. Sent if
+    `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 contains
+    it, with the names of the values; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)

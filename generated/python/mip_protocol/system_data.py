@@ -166,7 +166,7 @@ class GpioAnalogValue(Data):
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    Only for pins that are configured as analog inputs.
+    The pin must be configured as an analog input.
 
     - mip-sdk-4: GPIO analog value (0xA0,0x04)
     """

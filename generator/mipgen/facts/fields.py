@@ -61,7 +61,7 @@ def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
     others = [g for g in model.layouts(f) if g is not f and g.signature == f.signature]
     if others:
         names = joined([(field_ref(g),) for g in others])
-        yield fact("layout", names, "Distinguished from {} by the size of its data.")
+        yield fact("layout", names, "The size of its data distinguishes it from {}.")
 
 
 def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:

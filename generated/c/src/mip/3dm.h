@@ -4590,9 +4590,9 @@ MIP_FIELD(mip_3dm_device_status_basic_rq1_imu_response, 0x90);
  *
  * State and timer.
  *
- * Response to mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_basic_without_state_response and mip_3dm_device_status_basic_gx3_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Response to mip_3dm_device_status. The size of its data distinguishes it from
+ * mip_3dm_device_status_basic_without_state_response and mip_3dm_device_status_basic_gx3_response.
+ * Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -4626,13 +4626,14 @@ MIP_FIELD(mip_3dm_device_status_basic_response, 0x90);
  *
  * Timer only.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_gx3_response by the
- * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
- * MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of
- * 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the
- * 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 documents it too, but for
- * the model number of another device; MSCL uses the layout with a state for that device.
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_basic_response and
+ * mip_3dm_device_status_basic_gx3_response. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25,
+ * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the
+ * inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred. Uncertain: The manual
+ * of the 3DM-GX5-45 documents it too, but for the model number of another device; MSCL uses the
+ * layout with a state for that device.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -4661,12 +4662,12 @@ MIP_FIELD(mip_3dm_device_status_basic_without_state_response, 0x90);
  *
  * State, timer, and the counters of streams and port.
  *
- * Response to mip_3dm_device_status. Distinguished from
+ * Response to mip_3dm_device_status. The size of its data distinguishes it from
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
- * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
  *
  * Parameters without a member, on the wire only:
@@ -4720,12 +4721,12 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_response, 0x90);
  *
  * State, timer, and the counters of pulses, streams, port and receiver.
  *
- * Response to mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * Response to mip_3dm_device_status. The size of its data distinguishes it from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
- * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35
  * and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the
  * values, from which the descriptions are inferred; the times are assumed to be in ms like the
@@ -4798,12 +4799,12 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_gnss_response, 0x90);
  *
  * The layout with GNSS, plus flags for parts that could not be started.
  *
- * Response to mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
- * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
- * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response,
- * mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * Response to mip_3dm_device_status. The size of its data distinguishes it from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
- * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it. Uncertain:
  * MSCL lists only the names of the values, from which the descriptions are inferred; the times are
  * assumed to be in ms like the system timer.
@@ -4881,12 +4882,12 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_gq4_45_response, 0x90);
  *
  * The layout with GNSS, plus the temperature.
  *
- * Response to mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
- * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
- * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response,
- * mip_3dm_device_status_diagnostic_gx4_imu_response,
+ * Response to mip_3dm_device_status. The size of its data distinguishes it from
+ * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response, mip_3dm_device_status_diagnostic_gx4_response,
+ * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
- * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it. Uncertain:
  * MSCL lists only the names of the values, from which the descriptions are inferred; the times are
  * assumed to be in ms like the system timer.
@@ -4964,13 +4965,13 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_rq1_45_response, 0x90);
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_imu_response,
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
- * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it for these
  * devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only
  * the names of the values, from which the descriptions are inferred; the times are assumed to be in
@@ -5037,13 +5038,13 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_gx4_response, 0x90);
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
- * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
+ * mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10
  * and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values,
  * from which the descriptions are inferred; the times are assumed to be in ms like the system
@@ -5111,15 +5112,15 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_imu_response, 0x90);
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
  * port.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_rq1_imu_response
- * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 lists
- * the names of the values and the units of temperature and times; the descriptions are inferred
- * from the names. Uncertain: The units of the ranges are not known.
+ * and mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 lists the names of the
+ * values and the units of temperature and times; the descriptions are inferred from the names.
+ * Uncertain: The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -5182,15 +5183,14 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_gx4_imu_response, 0x90);
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
- * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 lists
- * the names of the values and the units of temperature and times; the descriptions are inferred
- * from the names.
+ * and mip_3dm_device_status_diagnostic_gx3_response. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 lists the names of the
+ * values and the units of temperature and times; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -5249,11 +5249,11 @@ MIP_FIELD(mip_3dm_device_status_diagnostic_rq1_imu_response, 0x90);
  *
  * State of the port.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_without_state_response
- * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
- * Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions are
- * inferred from the names.
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_basic_response and
+ * mip_3dm_device_status_basic_without_state_response. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: Only the SDK of 2014 contains it, with the names
+ * of the values; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -5288,14 +5288,14 @@ MIP_FIELD(mip_3dm_device_status_basic_gx3_response, 0x90);
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
- * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
- * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. The size of its
+ * data distinguishes it from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
- * and mip_3dm_device_status_diagnostic_rq1_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014
- * contains it, with the names of the values; the descriptions are inferred from the names.
+ * and mip_3dm_device_status_diagnostic_rq1_imu_response. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014 contains it, with the
+ * names of the values; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.

@@ -1103,8 +1103,8 @@ MIP_FIELD(mip_gnss_data_hardware_status, 0x0D);
  * State of the differential corrections.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from
- * mip_gnss_data_dgps_info_satellite by the size of its data. Uncertain: Devices could also send
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. The size of its data distinguishes it from
+ * mip_gnss_data_dgps_info_satellite. Uncertain: Devices could also send
  * mip_gnss_data_dgps_info_satellite, the layout of the SDK, but only this one agrees with the valid
  * flags, which are the same in all sources.
  *
@@ -1153,8 +1153,8 @@ MIP_FIELD(mip_gnss_data_dgps_info, 0x0E);
  * Differential correction for one satellite, in the SDK's layout of DGPS info.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
- * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from mip_gnss_data_dgps_info by
- * the size of its data. Known only from the MicroStrain MIP SDK. Uncertain: Possibly no device
+ * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. The size of its data distinguishes it from
+ * mip_gnss_data_dgps_info. Known only from the MicroStrain MIP SDK. Uncertain: Possibly no device
  * sends it: the values are those of mip_gnss_data_dgps_channel, but the flags those of
  * mip_gnss_data_dgps_info, so a mistake in the SDK is likely.
  *

@@ -390,8 +390,8 @@ MIP_FIELD(mip_sensor_internal_timestamp, 0x0E);
  *
  * Time counted by the pulse per second.
  *
- * Deprecated: the SDK marks it as deprecated and names no replacement. Distinguished from
- * mip_sensor_pps_timestamp_with_flags by the size of its data. Known only from the MicroStrain MIP
+ * Deprecated: the SDK marks it as deprecated and names no replacement. The size of its data
+ * distinguishes it from mip_sensor_pps_timestamp_with_flags. Known only from the MicroStrain MIP
  * SDK. Uncertain: Possibly no device sends it; mip_sensor_pps_timestamp_with_flags has more
  * sources. Uncertain: No source states the epoch.
  *
@@ -416,8 +416,8 @@ MIP_FIELD(mip_sensor_pps_timestamp, 0x0F);
  *
  * Time counted by the pulse per second, with its state and nanoseconds.
  *
- * Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished
- * from mip_sensor_pps_timestamp by the size of its data. Known only from the MIP SDK of 2014 and
+ * Deprecated: the SDK marks the descriptor as deprecated and names no replacement. The size of its
+ * data distinguishes it from mip_sensor_pps_timestamp. Known only from the MIP SDK of 2014 and
  * MicroStrain Communication Library. Uncertain: No source lists the devices that send it; the SDK
  * of 2014 dates from the time of the 3DM-GX3. Uncertain: No source states the epoch.
  *

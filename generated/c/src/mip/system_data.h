@@ -123,7 +123,7 @@ MIP_FIELD(mip_system_data_gpio_state, 0x03);
  *
  * Known only from the MicroStrain MIP SDK.
  *
- * Only for pins that are configured as analog inputs.
+ * The pin must be configured as an analog input.
  *
  * - mip-sdk-4: GPIO analog value (0xA0,0x04)
  */

@@ -688,8 +688,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
-    ///   [`BodyFrameVelocity`].
+    /// - If the other sensor is fixed to the vehicle, use [`BodyFrameVelocity`] instead.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -765,8 +764,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
-    ///   [`BodyFrameVelocity`].
+    /// - If the other sensor is fixed to the vehicle, use [`BodyFrameVelocity`] instead.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///

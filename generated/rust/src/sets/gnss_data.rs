@@ -1765,8 +1765,8 @@ record! {
     /// State of the differential corrections.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfoSatellite`] by
-    /// the size of its data. Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and
+    /// gnss_external (0x94) and gnss_external_2 (0x95). The size of its data distinguishes it from
+    /// [`DgpsInfoSatellite`]. Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and
     /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 1 more. Uncertain: Devices could
     /// also send [`DgpsInfoSatellite`], the layout of the SDK, but only this one agrees with the
     /// valid flags, which are the same in all sources.
@@ -1844,8 +1844,8 @@ record! {
     /// Differential correction for one satellite, in the SDK's layout of DGPS info.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
-    /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfo`] by the size
-    /// of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// gnss_external (0x94) and gnss_external_2 (0x95). The size of its data distinguishes it from
+    /// [`DgpsInfo`]. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     /// Uncertain: Possibly no device sends it: the values are those of [`DgpsChannel`], but the
     /// flags those of [`DgpsInfo`], so a mistake in the SDK is likely.
     ///

@@ -5171,8 +5171,8 @@ record! {
     ///
     /// State and timer.
     ///
-    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicWithoutStateResponse`]
-    /// and [`DeviceStatusBasicGx3Response`] by the size of its data. Sent if
+    /// Response to [`DeviceStatus`]. The size of its data distinguishes it from
+    /// [`DeviceStatusBasicWithoutStateResponse`] and [`DeviceStatusBasicGx3Response`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
     /// Confirmed on [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
@@ -5247,10 +5247,10 @@ record! {
     ///
     /// Timer only.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicGx3Response`] by the size of its
-    /// data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25,
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusBasicResponse`] and
+    /// [`DeviceStatusBasicGx3Response`]. Sent if [`status_selector`](DeviceStatus::status_selector)
+    /// is [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25,
     /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25
     /// and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
     /// Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of
@@ -5304,11 +5304,11 @@ record! {
     ///
     /// State, timer, and the counters of streams and port.
     ///
-    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
+    /// Response to [`DeviceStatus`]. The size of its data distinguishes it from
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Confirmed on [3DM-GX5-15](crate::devices::GX5_15); likely or assumed on 7 more.
     ///
@@ -5426,11 +5426,11 @@ record! {
     ///
     /// State, timer, and the counters of pulses, streams, port and receiver.
     ///
-    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
+    /// Response to [`DeviceStatus`]. The size of its data distinguishes it from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Confirmed on [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45);
     /// likely or assumed on 2 more. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45
@@ -5596,11 +5596,11 @@ record! {
     ///
     /// The layout with GNSS, plus flags for parts that could not be started.
     ///
-    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
+    /// Response to [`DeviceStatus`]. The size of its data distinguishes it from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45). Uncertain: No known manual documents it.
     /// Uncertain: MSCL lists only the names of the values, from which the descriptions are
@@ -5776,11 +5776,11 @@ record! {
     ///
     /// The layout with GNSS, plus the temperature.
     ///
-    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
-    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
-    /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
+    /// Response to [`DeviceStatus`]. The size of its data distinguishes it from
+    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it.
@@ -5962,16 +5962,17 @@ record! {
     ///
     /// Timer, and counters of pulses, streams, port and USB.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
-    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
-    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: No known manual documents it for these
-    /// devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists
-    /// only the names of the values, from which the descriptions are inferred; the times are
-    /// assumed to be in ms like the system timer.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticImuResponse`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx3Response`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in the
+    /// manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from
+    /// which the descriptions are inferred; the times are assumed to be in ms like the system
+    /// timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6119,16 +6120,17 @@ record! {
     ///
     /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticGx4ImuResponse`],
-    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
-    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10
-    /// and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the
-    /// values, from which the descriptions are inferred; the times are assumed to be in ms like the
-    /// system timer. Uncertain: The units of the ranges are not known.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx3Response`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual
+    /// documents it. Uncertain: MSCL lists only the names of the values, from which the
+    /// descriptions are inferred; the times are assumed to be in ms like the system timer.
+    /// Uncertain: The units of the ranges are not known.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6265,15 +6267,16 @@ record! {
     /// Timer, available sensors and their ranges, temperature, and the counters of pulses, stream
     /// and port.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
-    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 lists the names of the
-    /// values and the units of temperature and times; the descriptions are inferred from the names.
-    /// Uncertain: The units of the ranges are not known.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx3Response`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Uncertain: The SDK of 2014 lists the names of the values and the units of temperature and
+    /// times; the descriptions are inferred from the names. Uncertain: The units of the ranges are
+    /// not known.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6412,14 +6415,15 @@ record! {
     ///
     /// Timer, temperature and supply, and the counters of pulses, stream and port.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
-    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 lists the names of the
-    /// values and the units of temperature and times; the descriptions are inferred from the names.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`] and
+    /// [`DeviceStatusDiagnosticGx3Response`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Uncertain: The SDK of 2014 lists the names of the values and the units of temperature and
+    /// times; the descriptions are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6550,11 +6554,12 @@ record! {
     ///
     /// State of the port.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicWithoutStateResponse`] by the size
-    /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 contains it, with the names
-    /// of the values; the descriptions are inferred from the names.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusBasicResponse`] and
+    /// [`DeviceStatusBasicWithoutStateResponse`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
+    /// Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions
+    /// are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -6616,14 +6621,15 @@ record! {
     ///
     /// State of the port, and the counters of the port, USB, receiver and IMU.
     ///
-    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
-    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
-    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
-    /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
-    /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticRq1ImuResponse`] by the
-    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: Only the SDK of 2014 contains it, with the
-    /// names of the values; the descriptions are inferred from the names.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. The size of its
+    /// data distinguishes it from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`],
+    /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`] and
+    /// [`DeviceStatusDiagnosticRq1ImuResponse`]. Sent if
+    /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions
+    /// are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
