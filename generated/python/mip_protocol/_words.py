@@ -301,7 +301,7 @@ KEYWORDS: dict[str, tuple[str, ...]] = {
         "distance from the sensor to the antenna",
         "gnss offset",
     ),
-    "filter.estimation_control": ("stop bias estimation", "automatic calibration", "freeze biases"),
+    "filter.estimation_control": ("stop bias estimation", "automatic calibration"),
     "filter.gnss_source": ("internal or external receiver", "use external gnss"),
     "filter.external_gnss_update": ("external gps", "own gnss receiver", "inject position"),
     "filter.external_heading_update": ("heading from another sensor", "inject heading"),

@@ -258,7 +258,6 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
         "how do I set the baud rate of the uart": "baud",
         "rate of turn": "sensor.scaled_gyro",
         "imu temperature": "sensor.temperature_statistics",
-        "set declination to 0.23": "filter.magnetic_declination_source",  # a number with decimals is one word
     }
     lines = run(capsys, "fields", "--search", "hdop")[1].splitlines()  # a field of several sets is one result
     assert "gnss_data.dop" in lines[0] and lines[0].endswith("also in 0x91, 0x92, 0x93, 0x94, 0x95")
