@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import struct
 from collections.abc import Iterator
 from typing import Any
@@ -223,18 +222,8 @@ def test_what_depends_on_the_device_is_said(page: browser.Page) -> None:
     assert [words in row["meaning"] for row in shown["fields"][0]["rows"]] == [False] * 3
 
 
-def test_a_log_is_dropped(page: browser.Page) -> None:
-    """Its fields are listed, and each of its packets is shown once, page by page, also across the borders of pages."""
-    of = model("real")
-    time, accel = of.field("shared.reference_timestamp"), of.field("sensor.scaled_accel")
-    assert time is not None and accel is not None
-    parts = []
-    for i in [*range(300), *range(310, 700)]:
-        data = ((5 * 10**9 + i * 10**7).to_bytes(8, "big"), bytes(12))
-        parts.append(codec.build(of, 0x80, [(f.descriptor, x) for f, x in zip((time, accel), data, strict=True)]))
-    visit(page, TOOL)
+def dropped(page: browser.Page, log: bytes) -> None:
     inspected(page, "")
-    log = b"".join(parts) + b"noise"
     page.run(
         "(() => { const held = new DataTransfer();"
         f" held.items.add(new File([Uint8Array.of({','.join(map(str, log))})], 'drive.bin'));"
@@ -242,27 +231,51 @@ def test_a_log_is_dropped(page: browser.Page) -> None:
         " document.querySelector('#tool').dispatchEvent(event); })()"
     )
     page.run("until(() => document.querySelector('.mip-log table'))")
+    page.run("document.querySelector('.mip-pages').open = true")
+    page.run("until(() => document.querySelectorAll('.mip-pages .mip-packet').length > 1)")
+
+
+def test_bits_of_a_log_are_those_of_its_device_in_the_state_of_their_record(page: browser.Page) -> None:
+    of = model("real")
+    status = next(f for f in of.fields if f.full_name == "filter_data.status")
+    information = bytes(2) + b"3DM-GX5-25".rjust(16) + b"6253-9999".rjust(16) + bytes(48)
+    log = codec.build(of, 1, [(0xF1, b"\x03\0"), (0x81, information)])
+    for state in (1, 2):
+        log += codec.build(of, 0x82, [(status.descriptor, bytes([0, state, 0, 1, 0x10, 0x01]))])
+    dropped(page, log)
+    flags = page.run(
+        "[...document.querySelectorAll('.mip-pages [data-field=\"filter_data.status\"] [data-path=status_flags]')]"
+        ".map((row) => row.innerText)"
+    )
+    assert ["init_no_attitude" in one for one in flags] == [True, False]
+    assert ["run_mag_bias_est_high_warning" in one for one in flags] == [False, True]
+
+
+def test_a_log_is_dropped(page: browser.Page) -> None:
+    """With damage and a gap: its fields, rates and gaps, and any packet of it, page by page."""
+    of = model("real")
+    time, accel = of.field("shared.reference_timestamp"), of.field("sensor.scaled_accel")
+    assert time is not None and accel is not None
+    parts = []
+    for i in [*range(700), *range(710, 2000)]:
+        data = ((5 * 10**9 + i * 10**7).to_bytes(8, "big"), bytes(12))
+        parts.append(codec.build(of, 0x80, [(f.descriptor, x) for f, x in zip((time, accel), data, strict=True)]))
+    visit(page, TOOL)
+    dropped(page, b"".join(parts) + b"noise")
+    assert page.run("document.querySelectorAll('.mip-output .mip-packet').length") == 0  # the example is gone
     rows = page.run(
         "[...document.querySelector('.mip-log table').tBodies[0].rows]"
-        ".map((row) => [...row.cells].slice(1).map((cell) => cell.textContent))"
+        ".map((row) => [...row.cells].map((cell) => cell.textContent))"
     )
-    assert rows == [["0x80,0x04", "690", "100", "10"], ["0x80,0xD5", "690", "100", "10"]]
+    assert [row[1:] for row in rows] == [
+        ["0x80,0x04", "1990", "100", "1, 10 samples missing"],
+        ["0x80,0xD5", "1990", "100", "1, 10 samples missing"],
+    ]
     said = page.run("text('.mip-log .mip-summary')")
-    assert said.startswith(f"{len(log)} bytes, 690 packets; 5 bytes outside packets.")
-    shown: list[str] = []
-    begins = [0]
-    while True:
-        page.run(f"until(() => text('.mip-log').includes(' bytes {begins[-1]} to '))")
-        shown += page.run("data('.mip-pages .mip-packet', 'bytes')")
-        begins.append(int(re.findall(r" bytes \d+ to (\d+) ", page.run("text('.mip-log')"))[0]))
-        if begins[-1] == len(log):
-            break
-        page.run("press('Later')")
-    assert shown == [part.hex(" ").upper() for part in parts] and len(begins) > 3
-    assert page.run("document.querySelectorAll('.mip-output .mip-packet').length") == 0  # the example is gone
-    page.run(f"press('Earlier'), until(() => text('.mip-log').includes(' bytes {begins[-3]} to '))")
-    page.run(f"put('#mip-log-byte', {sum(map(len, parts[:500]))})")
-    page.run(f"until(() => data('.mip-pages .mip-packet', 'bytes')[0] === '{shown[500]}')")
+    assert said.startswith(f"{sum(map(len, parts)) + 5} bytes, 1990 packets; 5 bytes outside packets.")
+    page.run("put('#mip-log-packet', 1500)")
+    wanted = parts[1499].hex(" ").upper()
+    page.run(f"until(() => data('.mip-pages .mip-packet', 'bytes').includes('{wanted}'))")
 
 
 def test_what_is_no_packet_leads_to_the_hits_of_the_finder(page: browser.Page) -> None:

@@ -210,37 +210,161 @@ test("a value begins with its default, which may be the names of bits; a text of
     assert.equal(begin("text", { default: "ab" }), "ab");
 });
 
-// ------------------------------------------------------------------------------------------------ live data
+// ------------------------------------------------------------------------------------------------ logs
 
-const regular = (count) => Array.from({ length: count }, (_, i) => 5 + i / 100);
-const real = protocol.fields.has("shared.reference_timestamp") && protocol.fields.has("sensor.scaled_accel");
-
-/** The rhythm of scaled acceleration with these timestamps. */
-function rhythmOf(stamps) {
-    const readings = new globalThis.mip.Readings(protocol);
-    const accel = { name: "sensor.scaled_accel", values: { scaled_accel: [0, 0, -1] } };
-    for (const stamp of stamps) readings.take(buildPacket(protocol, 0x80, [stamp, accel]));
-    return readings.fields.get(0x8004).rhythm;
+/** Scaled acceleration at these times in seconds, by the clock of the device, with sentences between. */
+function logOf(times) {
+    const { buildPacket } = globalThis.mip;
+    const accel = { name: "sensor.scaled_accel", values: initialValues(protocol, protocol.field("sensor.scaled_accel")) };
+    const parts = [];
+    for (const [i, seconds] of times.entries()) {
+        const time = { name: "shared.reference_timestamp", values: { nanoseconds: BigInt(Math.round(seconds * 1e9)) } };
+        parts.push(...buildPacket(protocol, 0x80, [time, accel]).bytes);
+        if (i % 10 === 3) parts.push(...new TextEncoder().encode("$GPGGA,1*00\r\n"));
+    }
+    return Uint8Array.from(parts);
 }
 
-test("events, a reset and a clock that becomes valid are not gaps", { skip: !real && "of the real one" }, () => {
-    const stamps = (times) =>
-        times.map((seconds) => ({ name: "shared.reference_timestamp", values: { nanoseconds: BigInt(Math.round(seconds * 1e9)) } }));
-    const events = [5.0013, 5.31, 5.32, 5.9]; // single ones, among regular data or alone
-    const dated = regular(100).map((tow, i) => {
-        const values = { tow: i < 50 ? tow : tow + 1e5, week_number: 2300, valid_flags: i < 50 ? 0 : 3 };
-        return { name: "shared.gps_timestamp", values };
-    });
-    for (const [given, rate, lost] of [
-        [stamps(regular(300).filter((_, i) => i < 100 || i >= 103)), 100, 3],
-        [stamps([...regular(100), ...events].sort()), 100, 0],
-        [stamps(events), undefined, 0],
-        [stamps([...regular(100), ...regular(100)]), 100, 0],
-        [dated, 100, 0],
-    ]) {
-        const found = rhythmOf(given);
-        assert.deepEqual([found.rate && Math.round(found.rate), found.lost], [rate, lost]);
+const regular = (count) => Array.from({ length: count }, (_, i) => 5 + i / 100);
+
+async function* pieces(bytes, size) {
+    for (let at = 0; at < bytes.length; at += size) yield bytes.subarray(at, at + size);
+}
+
+const real = protocol.fields.has("shared.reference_timestamp") && protocol.fields.has("sensor.scaled_accel");
+
+test("a log in pieces of any size has the same packets, rates and gaps", { skip: !real && "of the real specification" }, async () => {
+    const { survey } = globalThis.mip;
+    const log = logOf(regular(300).filter((_, i) => i < 100 || i >= 103));
+    let before;
+    for (const size of [1000, 65536]) {
+        const found = await survey(protocol, () => pieces(log, size));
+        assert.equal(found.packets, 297);
+        assert.equal(found.sentences, 30);
+        assert.equal(found.skipped, 390);
+        const accel = found.fields.find(({ name }) => name === "sensor.scaled_accel");
+        assert.deepEqual([accel.count, accel.rhythm.gaps, accel.rhythm.lost], [297, 1, 3]);
+        assert.ok(Math.abs(accel.rhythm.rate - 100) < 1e-6);
+        assert.deepEqual(
+            found.gaps.map(({ packet, lost, fields }) => [packet, lost, fields.length]),
+            [[100, 3, 2]],
+        );
+        const { pages, ...rest } = found;
+        const behind = (offset) => new globalThis.mip.Parser().feed(log.subarray(offset)).length;
+        for (const { offset, first } of pages) assert.equal(behind(offset), 297 - first);
+        const text = JSON.stringify(rest, (key, value) => (key === "field" ? value.name : value));
+        assert.equal(text, before ?? text);
+        before = text;
     }
+});
+
+test("packets of events, a reset and a clock that becomes valid are not gaps", { skip: !real && "of the real one" }, async () => {
+    const { survey } = globalThis.mip;
+    const rhythmOf = async (log) => (await survey(protocol, () => pieces(log, 4096))).fields[0].rhythm;
+    const events = [5.0013, 5.31, 5.32, 5.9]; // single ones, among regular data or alone
+    for (const [times, rate] of [
+        [[...regular(100), ...events].sort(), 100],
+        [events, undefined],
+        [[...regular(100), ...regular(100)], 100],
+    ]) {
+        const { rate: found, gaps } = await rhythmOf(logOf(times));
+        assert.deepEqual([found && Math.round(found), gaps], [rate, 0]);
+    }
+    const packets = regular(100).flatMap((tow, i) => {
+        const values = { tow: i < 50 ? tow : tow + 1e5, week_number: 2300, valid_flags: i < 50 ? 0 : 3 };
+        return [...buildPacket(protocol, 0x80, [{ name: "shared.gps_timestamp", values }]).bytes];
+    });
+    const { rate, gaps } = await rhythmOf(Uint8Array.from(packets));
+    assert.deepEqual([Math.round(rate), gaps], [100, 0]);
+});
+
+/** A log with one packet per timestamp: [tow, week, flags]. */
+function stamped(rows) {
+    const packet = ([tow, week_number, valid_flags]) =>
+        buildPacket(protocol, 0x80, [{ name: "sensor.gps_timestamp", values: { tow, week_number, valid_flags } }]);
+    return Uint8Array.from(rows.flatMap((row) => [...packet(row).bytes]));
+}
+
+const ticks = (from, count, ...rest) => Array.from({ length: count }, (_, i) => [from + i / 100, ...rest]);
+
+test("times are those of the clocks with and without a date", { skip: !real && "of the real one" }, async () => {
+    const { spanText, survey } = globalThis.mip;
+    const dated = (from, to) => `2024-02-08T00:00:00.${from}Z to 2024-02-08T00:00:00.${to}Z`;
+    const undated = (from, to) => `device clock ${from} to ${to} s, no date: not synchronized`;
+    const [older, gx5] = ["sensor.gps_timestamp: flags read as those of generations 4 and 5 (recognized)", "device 3DM-GX5-25"];
+    for (const [rows, device, texts, read, rate = 100] of [
+        // three flags: valid with and without the device
+        [ticks(345618, 40, 2300, 5), undefined, [dated("000", "390")], older],
+        [ticks(345618, 40, 2300, 7), "3dm-gx5-25", [dated("000", "390")], gx5],
+        [ticks(345618, 40, 2300, 7), "3dm-cv7-ar", [undated(345618, 345618.39)], "device 3DM-CV7-AR"],
+        // five flags later in the log: flags 5 before them are not valid
+        [
+            [...ticks(345618, 20, 2300, 5), ...ticks(345618.2, 20, 2300, 0x1d)],
+            undefined,
+            [`${dated("200", "390")}; ${undated(345618, 345618.19)}`],
+            "",
+        ],
+        [ticks(12.5, 40, 0, 0), "3dm-gx5-25", [undated(12.5, 12.89)], gx5],
+        [[...ticks(5, 40, 0, 0), ...ticks(0.5, 40, 0, 0)], "3dm-gx5-25", [undated(5, 5.39), undated(0.5, 0.89)], gx5],
+        [[...ticks(604799.5, 50, 0, 0), ...ticks(0, 50, 0, 0)], "3dm-gx5-25", [undated(604799.5, 604800.49)], gx5],
+        [[...ticks(12, 40, 0, 0), ...ticks(345618, 40, 2300, 7)], "3dm-gx5-25", [`${dated("000", "390")}; ${undated(12, 12.39)}`], gx5],
+        [ticks(NaN, 40, 0, 0), "3dm-gx5-25", [], gx5, null],
+        [Array(40).fill([7, 0, 0]), "3dm-gx5-25", [undated(7, 7)], gx5, null],
+    ]) {
+        const log = stamped(rows);
+        const found = await survey(protocol, () => pieces(log, 4096), undefined, device);
+        const [{ rhythm, valid }] = found.fields;
+        const shown = found.spans.map((span) => spanText(protocol, span));
+        assert.deepEqual([rhythm.rate ? Math.round(rhythm.rate) : null, rhythm.gaps, shown, found.read], [rate, 0, texts, read]);
+        assert.ok(valid <= rows.length);
+    }
+});
+
+test("a log of an unknown device is read as on those that explain it", { skip: !real && "of the real one" }, async () => {
+    const { survey } = globalThis.mip;
+    const fields = [
+        ["filter_data.euler_angles", { roll: 0, pitch: 0, yaw: 0, valid_flags: 0 }],
+        ["filter_data.status", { filter_state: 1, dynamics_mode: 1, status_flags: 0x1000 }],
+    ].map(([name, values]) => ({ name, values }));
+    const log = Uint8Array.from(buildPacket(protocol, 0x82, fields).bytes);
+    const found = await survey(protocol, () => [log]);
+    assert.equal(found.read, "filter_data.status: flags read as those of generations 4 and 5 (recognized)");
+    const shown = (device) =>
+        inspect(protocol, toHex(log), device).parts[0].fields[1].rows.map(({ name, flags }) => name ?? flags?.[0].bits.name);
+    assert.deepEqual(shown(found.reads), ["init", "portable", "init_no_attitude"]);
+    assert.deepEqual(shown(undefined), [undefined, undefined, undefined]);
+    assert.equal((await survey(protocol, () => [log], undefined, "3dm-cv7-ar")).reads(found.fields[1].field), "3dm-cv7-ar");
+});
+
+test("the device is that of the log, and values that are not valid are counted", { skip: !real && "of the real one" }, async () => {
+    const { survey } = globalThis.mip;
+    const response = protocol.field("base.get_device_info_response");
+    const info = { ...initialValues(protocol, response).device_info, model_number: "       6253-4220" };
+    const reply = buildPacket(protocol, 1, [{ name: response.name, values: { device_info: info } }]);
+    const angles = [1, 0, 0, 1].map((valid_flags) =>
+        buildPacket(protocol, 0x82, [{ name: "filter_data.euler_angles", values: { roll: 0, pitch: 0, yaw: 0, valid_flags } }]),
+    );
+    const log = Uint8Array.from([...stamped(ticks(345618, 10, 2300, 5)), ...reply.bytes, ...angles.flatMap(({ bytes }) => [...bytes])]);
+    for (const [named, read] of [
+        [undefined, "device 3DM-GX5-25 (from the log)"],
+        ["3dm-gx5-45", "device 3DM-GX5-45"],
+    ]) {
+        const found = await survey(protocol, () => pieces(log, 4096), undefined, named);
+        const counts = Object.fromEntries(found.fields.map(({ name, valid, count }) => [name, [valid, count]]));
+        assert.equal(found.read, read);
+        assert.deepEqual(counts["filter_data.euler_angles"], [2, 4]);
+        assert.deepEqual(counts["sensor.gps_timestamp"], [10, 10]);
+    }
+});
+
+test("a survey ends where it is told to", { skip: !real && "of the real specification" }, async () => {
+    const log = logOf(regular(300));
+    const found = await globalThis.mip.survey(
+        protocol,
+        () => pieces(log, 4096),
+        (bytes) => bytes < 8192,
+    );
+    assert.equal(found.bytes, 8192);
 });
 
 // ------------------------------------------------------------------------------------------------ transactions

@@ -20,6 +20,7 @@ from typing import Any
 import mip_tools
 import numpy as np
 import pytest
+from c_build import run
 from mip_protocol import Parser, base, mip_3dm, types
 from mip_simulator import VirtualDevice
 from mip_simulator.endpoints.endpoint import tcp_at
@@ -29,7 +30,8 @@ from mip_tools.devices.known import read_by_device
 from mipgen import model as m
 from mipgen.lower import codec, validity
 from program import mip
-from support import heavy, later, model
+from support import heavy, later, model, need, uses
+from workbench import workbench
 
 mcap, rosbag2 = later("mcap.reader"), later("rosbags.rosbag2")
 
@@ -289,6 +291,31 @@ def of_bag(path: Path) -> Iterator[tuple[str, float]]:
     with rosbag2.Reader(path) as bag:
         for connection, time, _ in bag.messages():
             yield connection.topic, time / 1e9
+
+
+@uses("npm")
+@pytest.mark.parametrize("name, sync", MODELS)
+def test_the_workbench_reads_every_model(name: str, sync: bool, tmp_path: Path) -> None:
+    plans = record(name, sync, tmp_path / "log.bin")
+    packets = [p for p in Parser().feed((tmp_path / "log.bin").read_bytes()) if p.set >= 0x80]
+    (tmp_path / "unknown.bin").write_bytes(b"".join(map(bytes, packets)))  # without the reply that names the device
+    program = [need("node"), Path(__file__).with_name("survey.mjs"), workbench("real") / "workbench.js"]
+    logs = [tmp_path / "log.bin", tmp_path / "unknown.bin"]
+    survey, unknown = map(json.loads, run(*program, *logs).splitlines())
+    assert unknown["read"] == "; ".join(mip_tools.read_log(tmp_path / "unknown.bin").assumed())
+    assert survey["device"] == name and len(survey["spans"]) == any(sent.clock(sync) for sent in plans)
+    fields = {(x["set"], x["descriptor"]): x for x in survey["fields"]}
+    for sent in plans:
+        for descriptor, f in sent.fields.items():
+            found = fields[sent.number, descriptor]
+            raw = [r.data for p in packets if p.set == sent.number for r in p if r.descriptor == descriptor]
+            assert found["count"] == len(raw), f.full_name
+            flagged = [p for p in f.parameters if p.valid]
+            if flagged:
+                valid = [all(is_valid(name, f, p, codec.decode(f, data)[0]) for p in flagged) for data in raw]
+                assert found["valid"] == sum(valid), (f.full_name, found)
+            if sent.clock(sync) and len(raw) > 10 and len(raw) == sum(p.set == sent.number for p in packets):
+                assert found["rate"] == pytest.approx(sent.rate, rel=0.01), f.full_name
 
 
 def is_valid(name: str, f: m.Field, p: m.Parameter, values: dict[str, Any]) -> bool:

@@ -26,7 +26,7 @@ import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 /**
  * The parts of a text of bytes, as `segments` returns them; packets also have `set`, `fields`, `misprints`, and the
  * correct checksum, and other bytes `why`: the faults of those that begin like a packet.
- * @param device the id of a device, whose readings are used where they differ
+ * @param device the id of a device, whose readings are used where they differ, or a function that returns it for a field
  */
 export function inspect(protocol, text, device = undefined) {
     const { bytes, ignored } = bytesOfText(text);
@@ -98,7 +98,8 @@ function inspectField(protocol, raw, packet, part, device) {
     if (part.kind === "incomplete" && end > part.bytes.length) return undefined;
     const found = { ...raw, bytes: packet.bytes.subarray(raw.offset, end) };
     if (!raw.field) return found;
-    const rows = (raw.parts ?? []).map((one) => inspectValue(protocol, raw, one, device));
+    const on = typeof device === "function" ? device(raw.field) : device;
+    const rows = (raw.parts ?? []).map((one) => inspectValue(protocol, raw, one, on));
     return { ...found, rows, answered: answeredBy(protocol, raw), errata: errataOf(protocol, raw.field) };
 }
 

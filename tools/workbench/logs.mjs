@@ -1,13 +1,13 @@
-// A log in the inspector: the fields in a file of any size, and its packets page by page.
+// A log in the inspector: the contents of a file of any size, and its packets page by page.
 
-import { nameIn, Parser, segments } from "mip-protocol/tools";
-import { Clocks, Rhythm } from "./clocks.mjs";
-import { count, element, table } from "./dom.mjs";
+import { GAP, undatedClocks } from "./clocks.mjs";
+import { copyButton, count, element, table } from "./dom.mjs";
 import { inspectBytes } from "./inspect.mjs";
+import { survey } from "./survey.mjs";
 import { hexByte } from "./words.mjs";
 
-/** The number of bytes that are read for a page. */
-const PAGE = 8192;
+/** The maximum number of gaps that are listed. */
+const LISTED = 50;
 
 /**
  * A panel for logs: `chooser`, the input for a file; `output`; and `acceptDrops(element)`.
@@ -23,17 +23,23 @@ export function logPanel(protocol, { show, device, opened }) {
     const open = async (chosen) => {
         const mine = ++reading;
         opened();
-        output.replaceChildren(element("p", `Reading ${chosen.name} …`));
-        const close = element("button", { type: "button", class: "mip-copy", onclick: () => output.replaceChildren() }, "Close the log");
+        const bar = element("progress", { max: Math.max(chosen.size, 1), value: 0, "aria-label": "Read so far" });
+        const stop = element("button", { type: "button", onclick: () => reading++ }, "Stop");
+        output.replaceChildren(element("p", `Reading ${chosen.name} `, bar, " ", stop));
+        let found;
         try {
-            const found = await contents(protocol, chosen, () => mine === reading);
-            const shown = await pages(chosen, (bytes) => show(inspectBytes(protocol, bytes, device())));
-            if (mine !== reading) return;
-            const words = `${count(chosen.size, "byte")}, ${count(found.packets, "packet")}; ${count(found.skipped, "byte")} outside packets. `;
-            output.replaceChildren(element("h2", chosen.name), element("p.mip-summary", words, close), fieldTable(found), ...shown);
+            const progress = (bytes) => {
+                bar.value = bytes;
+                return mine === reading;
+            };
+            found = await survey(protocol, () => piecesOf(chosen), progress, device());
         } catch (error) {
             output.replaceChildren(element("p.mip-wrong", `${chosen.name} cannot be read: ${error.message}.`));
+            return;
         }
+        const close = () => output.replaceChildren();
+        if (mine === reading) output.replaceChildren(...logReport(protocol, chosen, found, show, device, close));
+        else if (output.contains(bar)) close();
     };
     file.addEventListener("change", () => {
         if (file.files[0]) open(file.files[0]);
@@ -50,86 +56,145 @@ export function logPanel(protocol, { show, device, opened }) {
         root.addEventListener("dragleave", over(false));
         root.addEventListener("drop", over(false));
     };
-    return { chooser, output, acceptDrops };
+    return { chooser, output, open, acceptDrops };
 }
 
-/** Reads a log while `wanted`: { packets, skipped, fields }. A field has `set`, `descriptor`, `field`, `count` and `rhythm`. */
-async function contents(protocol, file, wanted) {
-    const [parser, clocks, fields] = [new Parser(), new Clocks(protocol), new Map()];
-    let packets = 0;
-    const take = (packet) => {
-        const time = clocks.timeOf(packet);
-        packets++;
-        packet.walk((at, end) => {
-            const { set, descriptor, data } = packet.raw(at, end);
-            const key = set * 256 + descriptor;
-            if (!fields.has(key)) {
-                fields.set(key, { set, descriptor, field: protocol.choose(set, descriptor, data), count: 0, rhythm: new Rhythm() });
-            }
-            const one = fields.get(key);
-            one.count++;
-            one.rhythm.add(time);
-        });
-    };
-    for (const reader = file.stream().getReader(); wanted(); ) {
+async function* piecesOf(file) {
+    const reader = file.stream().getReader();
+    for (;;) {
         const { value, done } = await reader.read();
-        for (const packet of done ? parser.flush() : parser.feed(value)) take(packet);
-        if (done) break;
+        if (done) return;
+        yield value;
     }
-    return { packets, skipped: parser.skipped, fields: [...fields].sort(([a], [b]) => a - b).map(([, one]) => one) };
 }
 
-function fieldTable({ fields }) {
-    const row = ({ set, descriptor, field, count: times, rhythm: { rate, lost } }) => [
-        field ? `${field.title} · ${nameIn(field, set)}` : "unknown",
-        `${hexByte(set)},${hexByte(descriptor)}`,
-        times,
-        rate ? Number(rate.toPrecision(5)) : "",
-        lost || "",
-    ];
-    return table(
-        ["Field", "Descriptor", "Count", "Rate in Hz", "Missing"],
-        fields.map((one) =>
-            element(
-                "tr",
-                row(one).map((text) => element("td", `${text}`)),
+function logReport(protocol, file, found, show, device, close) {
+    const beside = [
+        found.skipped > 0 && `${count(found.skipped, "byte")} outside packets`,
+        found.sentences > 0 && `${count(found.sentences, "NMEA sentence")} among them`,
+    ].filter(Boolean);
+    const summary = [`${count(found.bytes, "byte")}, ${count(found.packets, "packet")}`, ...beside].join("; ");
+    const lines = () => [["field", "descriptor", "count", "rate_hz", "gaps"], ...found.fields.map(cellsOf)];
+    return [
+        element("h2", file.name),
+        element(
+            "p.mip-summary",
+            `${summary}. `,
+            copyButton("Copy the table", () =>
+                lines()
+                    .map((line) => line.join("\t"))
+                    .join("\n"),
             ),
+            " ",
+            element("button", { type: "button", class: "mip-copy", onclick: close }, "Close the log"),
         ),
-        "Fields in the log",
-    );
+        ...timeReport(protocol, found),
+        found.fields.length > 0 &&
+            table(
+                ["Field", "Descriptor", "Count", "Rate in Hz", "Gaps"],
+                found.fields.map((one) =>
+                    element(
+                        "tr",
+                        { "data-field": one.name ?? "" },
+                        cellsOf(one).map((text) => element("td", text)),
+                    ),
+                ),
+                `Contents of ${file.name}`,
+            ),
+        found.fields.some(({ rhythm }) => rhythm.rate) &&
+            element(
+                "p.mip-note",
+                `Rates and gaps are by the timestamps of the device; a gap is more than ${GAP} usual intervals. `,
+                "Fields without a rate are not regular, or have no timestamps.",
+            ),
+        found.gaps.length > 0 && gapList(found.gaps),
+        found.packets > 0 && pages(protocol, file, found, show, () => device() ?? found.reads),
+    ].filter(Boolean);
 }
 
-/** Shows the first page of a file, with buttons and an input for the others; each is read when it is shown. */
-async function pages(file, show) {
-    const shown = element("div.mip-pages");
-    const number = element("input", { type: "number", min: 0, max: file.size, value: 0, id: "mip-log-byte" });
+/** Describes the time of a log, how flags were read, and values that were not valid. */
+function timeReport(protocol, { spans, fields, read }) {
+    const lines = spans.map((span, i) => `${i ? "Restart of the clock: " : ""}${spanText(protocol, span)}.`);
+    if (read) lines.push(`${read[0].toUpperCase()}${read.slice(1)}.`);
+    for (const { field, valid, count: times } of fields) {
+        if (valid === undefined || valid === times) continue;
+        lines.push(`${field.title}: valid in ${Number(((100 * valid) / times).toPrecision(3))} % of ${times}.`);
+    }
+    return lines.map((line) => element("p.mip-time", line));
+}
+
+/** "2024-02-08T00:00:00.000Z to …; device clock 12.5 to 12.89 s, no date: not synchronized" */
+export function spanText(protocol, span) {
+    return protocol.model.clocks
+        .filter(({ name }) => span[name])
+        .map(({ name, title, epoch }) => {
+            const [first, last] = span[name];
+            if (epoch) return [first, last].map((time) => new Date(1000 * time).toISOString()).join(" to ");
+            const alone = undatedClocks(protocol).has(name);
+            return `${title} ${[first, last].map((time) => Number(time.toFixed(4))).join(" to ")} s${alone ? ", no date: not synchronized" : ""}`;
+        })
+        .join("; ");
+}
+
+function cellsOf({ set, descriptor, field, name, count: times, rhythm: { rate, gaps, lost } }) {
+    return [
+        field ? `${field.title} · ${name}` : "unknown",
+        `${hexByte(set)},${hexByte(descriptor)}`,
+        `${times}`,
+        rate ? `${Number(rate.toPrecision(5))}` : "",
+        gaps ? `${gaps}, ${count(lost, "sample")} missing` : rate ? "none" : "",
+    ];
+}
+
+function gapList(gaps) {
+    const item = ({ at, seconds, lost, fields, packet }) =>
+        element(
+            "li",
+            `before packet ${packet + 1}: ${Number(seconds.toPrecision(4))} s`,
+            at ? ` after ${Number(at.toFixed(4))} s` : "",
+            `, ${count(lost, "sample")} of ${fields.map(({ name }) => name ?? "unknown").join(", ")}`,
+        );
+    const more = gaps.length > LISTED && element("p", `${gaps.length - LISTED} more gaps.`);
+    return element("details", element("summary", count(gaps.length, "gap")), element("ul", gaps.slice(0, LISTED).map(item)), more || "");
+}
+
+/** Shows the packets of a file page by page; each page is read when it is shown. */
+function pages(protocol, file, found, show, device) {
+    const shown = element("div");
+    const number = element("input", { type: "number", min: 1, max: found.packets, value: 1, id: "mip-log-packet" });
     const place = element("span");
-    let [before, end] = [[], 0]; // where earlier pages begin, and this one ends
-    const go = async (begin) => {
-        const bytes = new Uint8Array(await file.slice(begin, begin + PAGE).arrayBuffer());
-        const whole = begin + bytes.length < file.size ? wholeUntil(bytes) : bytes.length;
-        end = begin + whole;
-        place.textContent = ` bytes ${begin} to ${end} `;
-        number.value = begin;
-        shown.replaceChildren(...show(bytes.subarray(0, whole)));
+    const pageOf = (packet) =>
+        Math.max(
+            0,
+            found.pages.findLastIndex(({ first }) => first <= packet),
+        );
+    let at = 0;
+    const go = async (page) => {
+        at = Math.min(Math.max(page, 0), found.pages.length - 1);
+        const { offset, first } = found.pages[at];
+        const end = found.pages[at + 1]?.offset ?? found.bytes;
+        const bytes = new Uint8Array(await file.slice(offset, end).arrayBuffer());
+        place.textContent = ` packets ${first + 1} to ${found.pages[at + 1]?.first ?? found.packets} of ${found.packets} `;
+        shown.replaceChildren(...show(inspectBytes(protocol, bytes, device())));
     };
-    const earlier = () => go(before.pop() ?? 0);
-    const later = () => {
-        if (end >= file.size) return undefined;
-        before.push(Number(number.value));
-        return go(end);
-    };
-    number.addEventListener("change", () => {
-        before = [];
-        return go(Math.min(Math.max(Number(number.value), 0), file.size));
+    const step = (words, by) => element("button", { type: "button", onclick: () => go(at + by) }, words);
+    number.addEventListener("change", () => go(pageOf(Number(number.value) - 1)));
+    const section = element(
+        "details.mip-pages",
+        element("summary", "Packets"),
+        element(
+            "p",
+            step("Earlier", -1),
+            place,
+            step("Later", 1),
+            " ",
+            element("label", { for: "mip-log-packet" }, "Go to packet "),
+            number,
+        ),
+        shown,
+    );
+    section.addEventListener("toggle", () => {
+        if (section.open && !shown.children.length) go(0);
     });
-    await go(0);
-    const step = (words, onclick) => element("button", { type: "button", onclick }, words);
-    const label = element("label", { for: "mip-log-byte" }, "Go to byte ");
-    return [element("p", step("Earlier", earlier), place, step("Later", later), " ", label, number), shown];
-}
-
-/** Returns how many bytes of a page to show: its last part, of which more may follow, begins the next page. */
-function wholeUntil(bytes) {
-    return segments(bytes).at(-1).offset || bytes.length - 1;
+    return section;
 }

@@ -13,9 +13,10 @@ from mip_protocol import registry
 from mip_simulator import VirtualDevice
 from mip_tools import __main__
 from mip_tools.devices.profiles import device_named
+from mip_tools.names import search
 from program import ENVIRONMENT, RECOGNIZED, log, on_a_full_disk, run
 from random_values import chance
-from support import rounds
+from support import ROOT, rounds
 
 ACCEL = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
 
@@ -233,6 +234,11 @@ def test_a_device_has_one_set_of_names(name: str, capsys: pytest.CaptureFixture[
     assert device_named(name).id == VirtualDevice(name).profile.id == "3dm-cv7-ahrs"
 
 
+def test_the_site_leaves_out_the_same_words() -> None:
+    text = (ROOT / "tools/workbench/rank.mjs").read_text().partition("FILLING = new Set(")[2].partition(".split")[0]
+    assert {*"".join(re.findall('"([^"]*)"', text)).split()} == search.FILLING
+
+
 def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "fields")
     assert code == 0 and [int(line[:4], 16) for line in out.splitlines()] == list(registry.MODULES)
@@ -251,7 +257,10 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     assert "gnss_1" not in found
     first = {
         "bias gyro": "filter_data.gyro_bias",
+        "accelerometre": "sensor.scaled_accel",
         "waas": "3dm.gnss_sbas_settings",
+        "low_pass_filter_responses": "3dm.low_pass_filter ",
+        "open drain": "3dm.gpio_config",
         "estimated gyro biases": "filter_data.gyro_bias",
         "what is 0x82,0x10": "filter_data.status",
         "gyrobias": "gyro_bias",
