@@ -37,9 +37,11 @@ class Lamp:
 
     def write(self, data: bytes, /) -> int:
         (command,) = registry.decode_packet(mip.Packet(data))
-        assert isinstance(command, tools.Light)
+        assert isinstance(command, (tools.Light, tools.Ping))
         answer = mip.PacketBuilder(command.SET).add(0xF1, mip.Acknowledge(command.DESCRIPTOR, mip.AckCode.OK).encode())
-        if command.function == mip.FunctionSelector.READ:
+        if isinstance(command, tools.Ping):
+            pass
+        elif command.function == mip.FunctionSelector.READ:
             answer.add(0x82, tools.LightResponse(self.mode, self.rate).encode())
         elif command.mode is not None and command.rate is not None:
             self.mode, self.rate = command.mode, command.rate
@@ -57,6 +59,7 @@ for name in (*mip.__all__, *dir(mip)):
 
 with mip.Device(Lamp()) as device:
     device.request(tools.Light.write(tools.LightMode.BLINKING, 3))
+    device.request(tools.Ping())
     print(device.request(tools.Light.read()))
     for _, value in device.fields(measurements.Temperature):
         print(value)
@@ -79,13 +82,18 @@ except mip.PortError as error:
 
 @pytest.fixture(scope="module")
 def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The Python package of the specification that `mipgen new` writes."""
+    """The Python package of what `mipgen new` writes, without functions that not every specification has."""
     folder = tmp_path_factory.mktemp("own")
     assert cli.main(["new", str(folder / "spec")]) == 0
     protocol = folder / "spec/protocol.yaml"
     text, count = re.subn("package: my_device .*", "package: own", protocol.read_text("utf-8"))
     assert count == 1
+    text, count = re.subn(r"  (save|load|default): .*\n", "", text)
+    assert count == 3
     protocol.write_text(text, "utf-8")
+    tools = folder / "spec/sets/tools.yaml"
+    ping = "\n  - {command: 0x01, name: ping, description: Does nothing.}\n"
+    tools.write_text(tools.read_text("utf-8").replace("WRSLD", "WR").rstrip() + ping, "utf-8")
     assert cli.main(["generate", "--spec", str(folder / "spec"), "--out", str(folder), "--target", "python"]) == 0
     return folder / "python"
 

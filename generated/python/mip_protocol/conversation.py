@@ -211,7 +211,7 @@ class Conversation:
             if command.answered and (number, descriptor) not in self._settings:
                 for kind in types(number, descriptor):
                     read, required = getattr(kind, "read", None), getattr(kind, "REQUIRED", {})
-                    if read and required.get(FunctionSelector.READ) == 0:
+                    if read and required.get(FunctionSelector["READ"]) == 0:
                         return cast(Command, read())
         return None
 
@@ -239,12 +239,13 @@ class Conversation:
 
             self.model = model_id(information(answer.response))
             self.identified = True
-        function = getattr(command, "function", None)
-        if answer.response is not None and function == FunctionSelector.READ:
+        # By name: a specification may have none of these functions.
+        function = getattr(getattr(command, "function", None), "name", None)
+        if answer.response is not None and function == "READ":
             self._settings[key] = answer.response
-        elif function == FunctionSelector.WRITE:
+        elif function == "WRITE":
             self._settings[key] = command
-        elif function not in (FunctionSelector.READ, FunctionSelector.SAVE):
+        elif function not in ("READ", "SAVE"):
             self._settings.clear()  # it may have loaded others, or restarted
 
     # ------------------------------------------------------------- received bytes
