@@ -75,13 +75,14 @@ NOTATIONS = {
     "a terminal": lines("[12:00:01.250] RX: {hex}"),
     "a log with names": lines("2024-05-01 INFO > {hex}"),
     "PowerShell": "\ufeff" + " ".join(PAIRS),
+    "Notepad": "\ufeff" + " ".join(PAIRS),
 }
 
 
 @pytest.mark.parametrize("name", NOTATIONS)
 def test_notations_of_bytes_are_read(name: str, tmp_path: Path) -> None:
     """They are recognized by their beginning, wherever a read of a long log ends."""
-    encoding = "utf-16-le" if name == "PowerShell" else "ascii"
+    encoding = {"PowerShell": "utf-16-le", "Notepad": "utf-8"}.get(name, "ascii")
     text = NOTATIONS[name]
     for size in range(len(text) // 2, len(text) // 2 + 50):
         assert inputs._is_text(text[:size].encode(encoding)), text[:size][-50:]

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from mip_protocol import registry
+from mip_protocol.devices import DEVICES
 from mip_simulator import VirtualDevice
 from mip_tools import __main__
 from mip_tools.devices.profiles import device_named
@@ -249,7 +250,7 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(run(capsys, "fields", name)[1] == one for name in ("0x80:0x04", "0x80,4", "ScaledAccel"))
     status = run(capsys, "fields", "filter_data.status")[1]
     assert "bit 12  init_no_attitude " in status and "Only while `filter_state` is `Gx5FilterState.INIT`" in status
-    *_, flags = json.loads(run(capsys, "fields", "filter_data.status", "--json")[1])[0]["parameters"]
+    *_, flags = json.loads(run(capsys, "fields", "filter_data.status", "--json")[1])["parameters"]
     (five,) = (v for v in flags["variants"] if "3dm-gx5-15" in v["keys"])
     assert five["states"]["init_no_attitude"] == {"filter_state": [1]} and five["bits"]["init_no_attitude"] == 0x1000
     found = run(capsys, "fields", "--search", "TEMPERATURE", "--device", "3dm-gx5-15")[1]
@@ -285,8 +286,10 @@ def test_every_field_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
         assert (code, error) == (0, "") and out.startswith(f"{name} (0x") and f"\n{name} (0x" not in out
         for p in kind.INFO.parameters:
             assert f"  {p.name}: " in out
-    found = json.loads(run(capsys, "fields", "--json")[1])
-    assert [f["name"] for f in found] == [name for name, _ in names]
+    found = [json.loads(line)["name"] for line in run(capsys, "fields", "--json")[1].splitlines()]
+    assert found == [name for name, _ in names]
+    found = [json.loads(line)["device"] for line in run(capsys, "fields", "--devices", "--json")[1].splitlines()]
+    assert found == list(DEVICES)
 
 
 def test_a_full_disk_cuts_no_compiled_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

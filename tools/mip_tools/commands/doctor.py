@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("input", metavar="PORT|LOG", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a log; - for standard input")
     add("names", nargs="*", default=[], metavar="NAME@HZ", help="rates that a device should reach")
     add("--duration", type=seconds, default=5.0, metavar="S", help="seconds to watch a device (default: 5)")
-    add("--json", action="store_true", help="print JSON, for programs")
+    add("--json", action="store_true", help="print a JSON object, in one line")
     add_device(parser)
     add_baud(parser)
 
@@ -63,11 +63,11 @@ def run(options: argparse.Namespace) -> int:
     elif rates:
         raise Misuse(f"{options.input} is not a port; rates are for devices")
     else:
-        with inputs.open_columns(options.input, device) as log:
+        with inputs.open_columns(options.input, device, empty=True) as log:
             examined = _examined(log)
         messages = findings.in_stream(examined)
     if options.json:
-        print(json.dumps({"input": options.input, "findings": [dataclasses.asdict(f) for f in messages]}, indent=2))
+        print(json.dumps({"input": options.input, "findings": [dataclasses.asdict(f) for f in messages]}))
     else:
         _print(options.input, examined, messages)
     return 1 if any(f.cause not in _NOTES for f in messages) else 0

@@ -129,11 +129,11 @@ def _arriving(options: argparse.Namespace) -> Iterator[tuple[Piece | None, Known
             arriving = connection.port_pieces(line_of(options, name), begin=device.ask)
         else:
             if inputs.is_log(name) and find_spec("numpy") is not None:
-                with inputs.open_columns(name, options.device) as log:
+                with inputs.open_columns(name, options.device, empty=True) as log:
                     print_assumptions("dump", log, times=False)  # also of a device that replies later
                     device = log.sender
                     device.news()
-            arriving = inputs.arriving(name, progress=not sys.stdout.isatty())
+            arriving = inputs.arriving(name, progress=not sys.stdout.isatty(), empty=True)
         for piece in arriving:
             if piece is not None and piece.packet is not None:
                 device.learn(piece.packet)

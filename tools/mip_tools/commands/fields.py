@@ -33,10 +33,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--search", nargs="+", metavar="WORD", help="fields that have these words, the best first")
     add_device(parser, "only the fields of this device")
     add("--devices", action="store_true", help="list the devices")
-    add("--json", action="store_true", help="print JSON, for programs")
+    add("--json", action="store_true", help="print a JSON object for each field or device, one per line")
 
 
 def run(options: argparse.Namespace) -> int:
+    if options.devices and options.json:
+        for device in DEVICES.values():
+            print(json.dumps({"device": device.id, "title": device.title, "incomplete": device.incomplete}))
+        return 0
     if options.devices:
         width = max((len(name) for name in DEVICES), default=0)
         for device in DEVICES.values():
@@ -48,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
     options.name = options.name[0] if len(options.name) == 1 else None
     chosen = _chosen(options)
     if options.json:
-        print(json.dumps([field_texts.as_json(field) for field in chosen], indent=2))
+        print("\n".join(json.dumps(field_texts.as_json(field)) for field in chosen))
     elif options.name is None and options.search is None and options.device is None:
         for number in registry.MODULES:
             count = sum(1 for set_number, _ in chosen if set_number == number)

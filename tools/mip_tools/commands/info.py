@@ -11,7 +11,7 @@ from ..binding import SECOND
 from ..errors import Failure
 from ..logs import inputs
 from ..logs.assumed import reason_for_no_date, synchronization
-from ..logs.recognize import no_packets
+from ..logs.recognize import begin_of, no_packets
 from ..options import add_device
 from ..text import show
 from ..text.clocks import dated, stamp
@@ -36,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     parser.add_argument("files", nargs="+", metavar="FILE", help="a log; - for standard input")
     add_device(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON, for programs")
+    parser.add_argument("--json", action="store_true", help="print a JSON object for each log, one per line")
 
 
 #: The parts between restarts of a clock that are listed.
@@ -61,12 +61,12 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _print_report(name: str, device: str | None, as_object: bool) -> None:
-    with inputs.open_columns(name, device) as log:
+    with inputs.open_columns(name, device, empty=True) as log:
         from ..logs.report import report_on
 
         report = report_on(log)
-        empty = None if report.packets else no_packets(name, log)
-    print("\n".join([json.dumps(as_json(name, report), indent=2)] if as_object else report_lines(name, report)))
+        empty = None if report.packets else no_packets(name, begin_of(log))
+    print(json.dumps(as_json(name, report)) if as_object else "\n".join(report_lines(name, report)))
     if empty:
         raise empty
 

@@ -8,7 +8,7 @@ import re
 import sys
 from typing import Any
 
-from ..binding import Answer, Command, FunctionSelector, MipError, NoAnswer, Refused, TimedOut, info, session
+from ..binding import Answer, Command, FunctionSelector, NoAnswer, Refused, TimedOut, info, session
 from ..devices.known import KnownDevice
 from ..errors import Failure, Misuse
 from ..names import typed
@@ -83,25 +83,20 @@ def run(options: argparse.Namespace) -> int:
     device = KnownDevice(options.device)
     patience = {} if options.timeout is None else {"timeout": options.timeout}
     with connection.opened(line_of(options, options.port), **patience) as link:
-        try:
-            if (
-                link.baud is not None
-                and getattr(command, "baud", None)
-                and getattr(command, "function", None) == FunctionSelector.WRITE
-            ):
-                return _follow(command, options, link)
-            (outcome,) = link.exchange(command, timeout=options.timeout)
-            if isinstance(outcome, TimedOut):
-                raise NoAnswer(command, [outcome])
-            if isinstance(outcome, Answer) and not outcome.accepted:
-                cause = link.cause(command) if session() else None
-                raise Failure(str(Refused(command, outcome.code, cause=cause)), REFUSED)
-            if isinstance(outcome, Answer) and _varies(outcome.response):
-                device.ask(link)
-        except NoAnswer:
-            raise
-        except (OSError, MipError) as error:
-            raise Failure(f"{options.port}: {connection.reason(error)}") from None
+        if (
+            link.baud is not None
+            and getattr(command, "baud", None)
+            and getattr(command, "function", None) == FunctionSelector.WRITE
+        ):
+            return _follow(command, options, link)
+        (outcome,) = link.exchange(command, timeout=options.timeout)
+        if isinstance(outcome, TimedOut):
+            raise NoAnswer(command, [outcome])
+        if isinstance(outcome, Answer) and not outcome.accepted:
+            cause = link.cause(command) if session() else None
+            raise Failure(str(Refused(command, outcome.code, cause=cause)), REFUSED)
+        if isinstance(outcome, Answer) and _varies(outcome.response):
+            device.ask(link)
     for text in device.news():
         print(f"mip send: {text}", file=sys.stderr)
     return _print_outcome(command, outcome, options, device.id)

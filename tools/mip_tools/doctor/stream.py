@@ -78,7 +78,7 @@ class Examination:
 
     def __init__(self, log: Log) -> None:
         line = timeline.of_log(log)
-        begin = log.source.piece(0, min(log.size, recognize.MOST), 0)[0].tobytes()
+        begin = recognize.begin_of(log)
         self.result = Examined(log.size, begin, clock=line.clocks(line.sets).steady or None, times=line.sets)
         self._events: list[Event] = []
         self._noted: list[_Noted] = []

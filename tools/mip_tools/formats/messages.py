@@ -52,10 +52,10 @@ class MessageExport:
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
         self._name, self._options, self._selection = name, options, selection
-        with inputs.open_columns(name, options.device) as log:
+        with inputs.open_columns(name, options.device, empty=True) as log:
             need_packets(options.file, log)
             self.types, clocks = survey_messages(log, selection)
-            self._clock = clock_of(clocks, options)
+            self._clock = clock_of(clocks, options) if self.types else ""
             print_assumptions("export", log, names=options.named)
 
 

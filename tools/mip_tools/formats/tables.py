@@ -10,7 +10,6 @@ from ..columns import tables, timeline
 from ..columns.tables import Series
 from ..logs import inputs
 from ..logs.assumed import no_date
-from ..logs.recognize import need_packets
 from ..names.occurrence import Occurrence
 from ..names.selection import Selection
 from .row_times import Time, shown_clocks
@@ -37,8 +36,7 @@ class TableExport(NamedTuple):
 
 
 def table_export(options: argparse.Namespace, selection: Selection, log: Log) -> TableExport:
-    """Surveys a log. Raises Failure if it has no packets."""
-    need_packets(options.file, log)
+    """Surveys a log."""
     form = tables.Form(
         options.by,
         invalid=options.invalid,

@@ -20,7 +20,7 @@ from ..binding import MissingExtra
 from ..errors import Failure
 from ..files import outputs
 from ..text.numbers import readable, spent
-from .recognize import from_text
+from .recognize import MOST, from_text, need_packets, no_packets
 from .scan import Piece, Scanner
 
 if TYPE_CHECKING:
@@ -85,17 +85,27 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
 
 def file_pieces(name: str, progress: bool = True) -> Iterator[Piece]:
     """Yields the packets of a file or of standard input, and the bytes between them."""
-    return (piece for piece in arriving(name, progress) if piece is not None)
+    return (piece for piece in arriving(name, progress, empty=True) if piece is not None)
 
 
-def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
-    """Yields the same as `file_pieces`, and None after each read and regularly while nothing arrives."""
+def arriving(name: str, progress: bool = True, empty: bool = False) -> Iterator[Piece | None]:
+    """Yields the same as `file_pieces`, and None after each read and regularly while nothing arrives.
+
+    Raises Failure at the end if there were no packets, unless `empty` is set.
+    """
     scanner = Scanner()
     source = chunks(name, progress)
+    begin: bytes | None = b""  # before the first packet
     for chunk in _waited_for(source) if name == "-" else source:
-        yield from scanner.feed(chunk)
+        for piece in scanner.feed(chunk):
+            begin = None if begin is None or piece.packet is not None else begin + piece.data[: MOST - len(begin)]
+            yield piece
         yield None
-    yield from scanner.flush()
+    for piece in scanner.flush():
+        begin = None if begin is None or piece.packet is not None else begin + piece.data[: MOST - len(begin)]
+        yield piece
+    if begin is not None and not empty:
+        raise no_packets(name, begin)
 
 
 def batches(arriving: Iterator[Piece | None]) -> Iterator[list[Piece]]:
@@ -158,12 +168,17 @@ def need_numpy() -> None:
 
 
 @contextmanager
-def open_columns(name: str, device: str | Sender | None = None) -> Iterator[Log]:
-    """Opens a log, from a file or from standard input, as columns; `device` is who sent it. Raises Failure."""
+def open_columns(name: str, device: str | Sender | None = None, empty: bool = False) -> Iterator[Log]:
+    """Opens a log, from a file or from standard input, as columns; `device` is who sent it.
+
+    Raises Failure; also if the log has no packets, unless `empty` is set.
+    """
     need_numpy()
     from ..columns import read_log
 
     with seekable(name) as path, read_log(existing(path), device=device) as log:
+        if not empty:
+            need_packets(name, log)
         yield log
 
 

@@ -36,15 +36,21 @@ def recognized(data: bytes) -> Recognized:
     return next(filter(None, (ask(data) for ask in _QUESTIONS)), UNKNOWN)
 
 
-def no_packets(name: str, log: Any) -> Failure:
-    """Returns the error that says what an open log without packets is."""
-    return Failure(f"{name} has no packets: {recognized(log.source.piece(0, min(log.size, MOST), 0)[0].tobytes())}")
+def no_packets(name: str, begin: bytes) -> Failure:
+    """Returns the error that says what a log without packets is."""
+    return Failure(f"{'standard input' if name == '-' else name} has no packets: {recognized(begin)}")
+
+
+def begin_of(log: Any) -> bytes:
+    """Returns the first bytes of an open log."""
+    begin: bytes = log.source.piece(0, min(log.size, MOST), 0)[0].tobytes()
+    return begin
 
 
 def need_packets(name: str, log: Any) -> None:
     """Raises Failure if an open log has no packets."""
     if not any(part.packets for part in log.parts(_PART)):  # log.packets would store the offset of each one
-        raise no_packets(name, log)
+        raise no_packets(name, begin_of(log))
 
 
 UNKNOWN = Recognized("neither MIP nor a known protocol", "is the baud rate right?")
@@ -72,10 +78,10 @@ def from_text(text: bytes) -> bytes | None:
 
     What a notation makes of it counts if it contains a packet, or begins as one. The end of the text may be cut off.
     """
+    text = text.removeprefix(b"\xef\xbb\xbf")
     begin = text[:MOST]
     if begin[:2] in (b"\xff\xfe", b"\xfe\xff"):  # of PowerShell
         return from_text(text.decode("utf-16", "replace").encode("ascii", "replace"))
-    begin = begin.removeprefix(b"\xef\xbb\xbf")
     if not begin or not _TEXT.issuperset(begin):
         return None
     return _first(text.decode("ascii", "replace"), _NOTATIONS)

@@ -45,7 +45,7 @@ class Silent(Failure):
 
 @contextmanager
 def opened(line: Line, **more: Any) -> Iterator[DeviceAtPort]:
-    """Opens the port of a device. Raises Failure if it cannot be opened, and if NoAnswer comes from within."""
+    """Opens the port of a device. Raises Failure if it cannot be opened, and for errors of the device from within."""
     if os.path.isfile(line.name):
         raise Failure(f"{line.name} is a file, not a port")
     skipped: deque[bytes] = deque(maxlen=100)
@@ -59,6 +59,8 @@ def opened(line: Line, **more: Any) -> Iterator[DeviceAtPort]:
         except NoAnswer as error:
             only = not device.waiting and not device.dropped  # no MIP packets besides
             raise Silent(line.name, error, b"".join(skipped) if only else b"") from None
+        except MipError as error:
+            raise Failure(f"{line.name}: {reason(error)}") from None
 
 
 def why_not(name: str, error: BaseException) -> str:

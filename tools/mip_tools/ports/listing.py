@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from ..binding import MipError, NoAnswer, PortClosed, Refused, UnknownName, identify, info, lookup, registry
+from ..binding import MipError, PortClosed, Refused, UnknownName, identify, info, lookup, registry
 from ..errors import Failure
 
 if TYPE_CHECKING:
@@ -114,10 +114,6 @@ class _Questions:
             self._link.request(command_type("base.ping")())
         except Refused:
             pass
-        except NoAnswer:
-            raise
-        except MipError as error:
-            raise Failure(f"{self.name}: {error}") from None
 
     def carried_out(self, command: str) -> bool | None:
         """Sends a command. Did the device carry it out? None if it did not answer."""
@@ -150,10 +146,6 @@ class _Questions:
         except Refused as error:
             code = f"{error.code.name.lower()} ({int(error.code)})"
             raise Failure(f"the device refused {command}: {code}; its descriptors are unknown", REFUSED) from None
-        except NoAnswer:
-            raise
-        except MipError as error:
-            raise Failure(f"{self.name}: {error}") from None
 
     def optional(self, command: str, *values: Any, function: str = "") -> Any:
         """Requests the response to a command that the device lists; None if there is none, as for a missing port."""
