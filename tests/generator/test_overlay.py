@@ -146,7 +146,7 @@ MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {
             ":2:14: error: 'measurements' is already given at ",
         ),
         ("overlay.yaml", "units:\n  m: {title: mile}\n", ":2:3: error: 'm' is already given at "),
-        ("protocol.yaml", "name: MIP\n", ":1:1: error: this file is ignored"),
+        ("protocol.yaml", "name: MIP\n", ":1:1: error: an overlay has overlay.yaml in its place; name"),
         (
             "sets/a.txt",
             "",

@@ -168,7 +168,7 @@ export class Device {
                 .find(Boolean);
             this.#identified = true;
         }
-        const selector = kind.layout.calls && Number(command.function);
+        const selector = kind.layout.calls ? Number(command.function) : null; // not undefined, as SAVE may be
         if (selector === FunctionSelector.READ) {
             if (response) this.#settings.set(kind, response);
         } else if (selector === FunctionSelector.WRITE) {

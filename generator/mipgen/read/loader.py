@@ -128,4 +128,7 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
             continue
         if not made.isdisjoint(path.parents):
             continue
-        problems.add(Position(display_path(path), 1, 1), f"this file is ignored; only these are read: {read_ones}")
+        message = f"this file is ignored; only these are read: {read_ones}"
+        if path == spec / LAYOUT["protocol"]:
+            message = "an overlay has overlay.yaml in its place; name the specification itself first, and once"
+        problems.add(Position(display_path(path), 1, 1), message)

@@ -112,6 +112,9 @@ def read(path: Path, name: str, problems: Problems) -> Node | None:
         fault = syntax.explain(text, error)
         problems.add(Position(name, fault.line + 1, fault.column + 1), f"not YAML: {fault.message}")
     except yaml.reader.ReaderError as error:
+        if "\0" in text:
+            problems.add(_place(name, text.partition("\0")[0]), "not UTF-8: zero bytes; save the file as UTF-8")
+            return None
         problems.add(_place(name, text[: error.position]), f"not YAML: {error.reason}; remove the character")
     return None
 
@@ -218,7 +221,11 @@ class _Reader:
                 self.node(self.next(), depth + 1)
                 continue
             self.check(key := event.value)
+            plain = not event.style
             value = self.node(self.next(), depth + 1)
+            if key == "<<" and plain:
+                self.problems.add(place, "merge keys (<<) are not supported; write the keys out")
+                continue
             if key in mapping:
                 again = item and key == next(iter(mapping))
                 remedy = "put '- ' before it to begin another item" if again else "remove one"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from mipgen.base.errors import Failure
 
@@ -59,6 +59,11 @@ class Problems:
     def raise_if_any(self) -> None:
         if self._problems:
             raise SpecError(self.sorted())
+
+
+def elsewhere(thing: Any) -> str:
+    """States where the other one of two equal things is."""
+    return f"the other at {thing.position}"
 
 
 class SpecError(Failure):

@@ -52,6 +52,8 @@ _KEY = r" *(?:- +)*[\w.-]+"
 #: Characters used instead of a space, or of a quote at the beginning of a text.
 _MISLEADING = re.compile("[\u00a0\u2002-\u200b\u202f\u3000]|(?<=[ \\[{,])[\u201c\u201d\u201e\u2018\u2019\u201a]")
 
+_INDENTED = re.compile(" *[\u00a0\u2002-\u200b\u202f\u3000]")
+
 
 def explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
     text = text.removeprefix("\ufeff")
@@ -65,6 +67,9 @@ def _explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
     began: Any = error.context_mark or mark
     problem = str(error.problem or error.context)
     stop = text[mark.index : mark.index + 1]
+    for number, line in enumerate(text.splitlines()[: mark.line + 1]):
+        if sign := _INDENTED.match(line):
+            return Fault(number, sign.end() - 1, "a character that only looks like a space; indent with spaces")
     if stop == "\t":
         return _fault(mark, "a tab; indent with spaces")
     if "unexpected end of stream" in problem:

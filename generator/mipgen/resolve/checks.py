@@ -95,7 +95,8 @@ def set_numbers(model: m.Model, problems: Problems) -> None:
         if s.number in seen:
             problems.add(
                 s.position,
-                f"0x{s.number:02X} is already the set '{seen[s.number].name}'; give '{s.name}' another number",
+                f"0x{s.number:02X} is already the set '{seen[s.number].name}' at {seen[s.number].position}; "
+                f"give '{s.name}' another number",
             )
         seen[s.number] = s
 

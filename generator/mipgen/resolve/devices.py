@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from mipgen import model as m
 from mipgen.read.nodes import Node
-from mipgen.read.problems import Problems, nearest
+from mipgen.read.problems import Problems, elsewhere, nearest
 
 from . import inheritance, meaning
 from .types import Types
@@ -22,10 +22,10 @@ REQUIRED = ("supports", "base_rates", "ack_codes")
 def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
     """Adds the devices to the model, and their differences to its parameters."""
     names = [name for node in nodes for name in (node["title"], *(node.get("also") or ()))]
-    _unique((node["name"] for node in nodes), "two devices are called '{}'; rename one", problems)
-    _unique(names, "two devices are titled '{}'; rename one", problems)
+    _unique((node["name"] for node in nodes), "two devices are called '{}', {}; rename one", problems)
+    _unique(names, "two devices are titled '{}', {}; rename one", problems)
     numbers = (node["model_number"] for node in nodes if "model_number" in node)
-    _unique(numbers, "two devices have the model number {}; correct one", problems)
+    _unique(numbers, "two devices have the model number {}, {}; correct one", problems)
     nodes = sorted(nodes, key=lambda node: str(node["device"].value))
     check_needs((*nodes, *families), types.needed, problems)
     whole = inheritance.resolve(nodes, families, model, problems)
@@ -106,11 +106,11 @@ def _number(set_name: str) -> int | None:
 
 
 def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
-    seen: set[object] = set()
+    seen: dict[object, Node] = {}
     for entry in entries:
-        if entry.value in seen:
-            problems.add(entry.position, message.format(entry.value))
-        seen.add(entry.value)
+        earlier = seen.setdefault(entry.value, entry)
+        if earlier is not entry:
+            problems.add(entry.position, message.format(entry.value, elsewhere(earlier)))
 
 
 # --------------------------------------------------------------------------- variants

@@ -13,7 +13,7 @@ from mipgen import model as m
 from mipgen.facts import literals
 from mipgen.lower import codec
 from mipgen.read.nodes import Node
-from mipgen.read.problems import Problems, nearest
+from mipgen.read.problems import Problems, elsewhere, nearest
 
 from . import meaning
 from .vocabulary import texts_of_node
@@ -36,7 +36,8 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
         for node in _examples(root["examples"]):
             name = node["id"].value
             if name in examples:
-                problems.add(node["id"].position, f"two examples are called '{name}'; rename one")
+                where = elsewhere(examples[name])
+                problems.add(node["id"].position, f"two examples are called '{name}', {where}; rename one")
                 continue
             example = _Example(node, model, problems).resolve()
             if example is not None:
@@ -359,7 +360,8 @@ def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Pro
         name = node["id"].value
         manual, section = meaning.resolve_citation(node, manuals, problems.add)
         if name in errata:
-            problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
+            where = elsewhere(errata[name])
+            problems.add(node["id"].position, f"two errata are called '{name}', {where}; rename one")
         errata[name] = m.Erratum(
             id=name,
             manual=manual,

@@ -14,7 +14,7 @@ from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from mipgen.model.guides import Change, Guide, Migration, Picture, Question, Sequence, Shown, Step, Stream
 from mipgen.read.nodes import Node
-from mipgen.read.problems import Problems, nearest
+from mipgen.read.problems import Problems, elsewhere, nearest
 
 from . import evidence
 from .vocabulary import Vocabulary, sources_of_node, texts_of_node
@@ -26,7 +26,8 @@ def resolve(roots: Iterable[Node], model: m.Model, words: Vocabulary, problems: 
     for node in nodes:
         name = node["guide"].value
         if name in guides:
-            problems.add(node["guide"].position, f"two guides are called '{name}'; rename one")
+            where = elsewhere(guides[name])
+            problems.add(node["guide"].position, f"two guides are called '{name}', {where}; rename one")
         guides[name] = _Guide(node, model, samples, problems).resolve(words)
     for node in nodes:
         _see(node, set(guides), model, problems)

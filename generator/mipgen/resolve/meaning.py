@@ -281,6 +281,9 @@ class _Default:
             case m.Bitfield() if isinstance(value, list):
                 for item in node:
                     self.named(item, item.value, element.name, "bit", [b.name for b in element.bits])
+            case m.Enum() if type(value) is int and value not in [v.value for v in element.values]:
+                known = ", ".join(f"{v.name} ({v.value})" for v in element.values)
+                self.problem(node.position, f"'{element.name}' has no value {value}; known: {known}")
             case m.Enum(scalar=scalar) | m.Bitfield(scalar=m.Scalar() as scalar):
                 if isinstance(value, int) and not isinstance(value, bool):
                     self.number(node, scalar)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from mipgen import model as m
 from mipgen.read.nodes import Node
-from mipgen.read.problems import Problems, nearest
+from mipgen.read.problems import Problems, elsewhere, nearest
 
 from .types import Types
 from .vocabulary import cited, short_name, texts_of_node
@@ -31,14 +31,16 @@ class Families:
         for node in sorted(nodes, key=_first):
             name = node["name"].value
             if name in families:
-                self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
+                where = elsewhere(families[name])
+                self.problems.add(node["name"].position, f"two sets are called '{name}', {where}; rename one")
                 continue
             families[name] = self.family(node)
         self.types.unused()
         homes = {name: name for name in families}
         for s in (s for x in families.values() for s in x.sets):
             if homes.setdefault(s.name, s.family) != s.family:
-                self.problems.add(s.position, f"two sets are called '{s.name}'; rename one")
+                where = elsewhere(families[homes[s.name]])
+                self.problems.add(s.position, f"two sets are called '{s.name}', {where}; rename one")
         self.related([f for x in families.values() for f in x.fields], homes)
         return self.silenced(sorted(families.values(), key=lambda x: x.number))
 

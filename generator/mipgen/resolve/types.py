@@ -42,8 +42,10 @@ class Types:
         for name, node in types.items() if types else ():
             place = types.keys[name] if types else node.position
             taken = (*m.SCALARS, self.vocabulary.selector.name)
-            if name in scope or name in self.shared or name in taken:
-                self.problems.add(place, f"the type '{name}' is already defined; choose another name")
+            earlier = scope.get(name) or self.shared.get(name)
+            if earlier or name in taken:
+                where = f" at {earlier.position}" if earlier else ""
+                self.problems.add(place, f"the type '{name}' is already defined{where}; choose another name")
             else:
                 scope[name] = Node(node.value, place, node.keys)
 
