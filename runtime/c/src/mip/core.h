@@ -487,8 +487,9 @@ static inline mip_error mip_field_check(const struct mip_field *field, uint8_t d
 }
 
 /**
- * Adds a field of this many bytes, which the caller then writes to `*data`. On an error,
- * MIP_ERROR_SET or MIP_ERROR_LENGTH, the packet is unchanged.
+ * Adds a field of this many bytes, at most MIP_MAX_FIELD_DATA, which the caller then writes to
+ * `*data`. On an error, MIP_ERROR_SET or MIP_ERROR_LENGTH, the packet is unchanged. To add a field
+ * of any size, call mip_builder_add.
  */
 static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t descriptor_set,
                                             uint8_t descriptor, size_t size, uint8_t **data) {
