@@ -82,6 +82,9 @@ class Layout:
         if "switch" not in node or "cases" not in node or "type" in node:
             self.problem(node.position, f"the union '{name}' needs switch and cases, and no type")
             return None
+        for key in ("count", "const", "reserved", "unit", "frame", "positive"):
+            if key in node:
+                self.problem(node.keys[key], f"the union '{name}' has no '{key}'; state it in the cases, or remove it")
         tag_name = node["switch"].value
         tag = self.earlier(tag_name)
         if tag is None:

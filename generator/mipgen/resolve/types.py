@@ -42,6 +42,8 @@ class Types:
         for name, node in types.items() if types else ():
             place = types.keys[name] if types else node.position
             taken = (*m.SCALARS, self.vocabulary.selector.name)
+            if owner is not None and "vector" in node:
+                self.problems.add(place, f"the vector '{name}' must be in types/*.yaml, for all sets; move it there")
             earlier = scope.get(name) or self.shared.get(name)
             if earlier or name in taken:
                 where = f" at {earlier.position}" if earlier else ""
