@@ -20,7 +20,7 @@ import mip_tools
 import numpy as np
 import pytest
 import timed_packets
-from mip_protocol import PacketBuilder, Parser, filter_data, sensor, shared
+from mip_protocol import PacketBuilder, Parser, checksum, filter_data, sensor, shared
 from mip_simulator import VirtualDevice
 from mip_simulator.motion import parse_motion
 from mip_tools.columns import read_log
@@ -404,6 +404,14 @@ def test_an_empty_log_says_nothing_about_fields(tmp_path: Path) -> None:
     (tmp_path / "log.bin").touch()
     code, out, _ = mip("doctor", tmp_path / "log.bin")
     assert code == 1 and "no packet in 0 bytes" in out and "examined" not in out
+
+
+def test_packets_whose_fields_do_not_fit(tmp_path: Path) -> None:
+    """Their checksums are right, so nothing else is wrong with them."""
+    broken = b"ue\x80\x04\x06\x04\x01\x02"
+    (tmp_path / "log.bin").write_bytes((broken + checksum(broken)) * 3)
+    code, out, _ = mip("doctor", tmp_path / "log.bin")
+    assert code == 1 and "malformed packets: 3 packets with a field that runs past the end\n" in out, out
 
 
 def test_sentences_without_packets() -> None:

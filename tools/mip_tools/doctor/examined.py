@@ -44,6 +44,7 @@ class Examined:
     size: int = 0
     begin: bytes = b""  # the first bytes
     packets: int = 0
+    malformed: int = 0  # packets with a field that runs past their end
     clock: str | None = None
     events: list[Event] = field(default_factory=list)
     warned: list[Warned] = field(default_factory=list)

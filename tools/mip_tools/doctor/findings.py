@@ -35,6 +35,7 @@ def in_stream(examined: Examined) -> list[Finding]:
     """Lists the findings about a stream, the most serious first."""
     return [
         *_nothing(examined),
+        *_malformed(examined),
         *_events(examined),
         *_synchronization(examined),
         *_validity(examined),
@@ -47,6 +48,14 @@ def _nothing(examined: Examined) -> Iterator[Finding]:
     if not examined.packets:
         what, remedy = recognized(examined.begin)
         yield Finding("no packets", f"no packet in {count_text(examined.size, 'byte')}: {what}", remedy)
+
+
+def _malformed(examined: Examined) -> Iterator[Finding]:
+    if examined.malformed:
+        text = f"{count_text(examined.malformed, 'packet')} with a field that runs past the end"
+        yield Finding(
+            "malformed packets", text, "the program that made them set wrong lengths: their checksums are right"
+        )
 
 
 def _events(examined: Examined) -> Iterator[Finding]:

@@ -118,6 +118,14 @@ class _Between:
             self.sentences += len(self._sentences.feed(gap.data))
 
 
+def malformed(piece: Piece) -> int:
+    """Counts the packets with a field that runs past their end."""
+    covered = np.zeros(len(piece.at), np.int64)
+    for run in piece.runs or ():
+        covered += np.bincount(run.packet, minlength=len(covered)) * (run.length + 2)
+    return int((covered != piece.end - piece.at - OVERHEAD).sum())
+
+
 def _add(report: Report, piece: Piece) -> None:
     """Counts the packets of a piece, and their fields."""
     count = len(piece.at)
@@ -129,12 +137,10 @@ def _add(report: Report, piece: Piece) -> None:
             before = report.sets.get(number, 0)
             report.sets[number] = before + several
             numbers[number] = before - 1 + np.cumsum(sets == number)
-    covered = np.zeros(count, np.int64)
+    report.malformed += malformed(piece)
     fields: dict[tuple[int, int], list[Any]] = {}
     for run in piece.runs or ():
-        covered += np.bincount(run.packet, minlength=count) * (run.length + 2)
         fields.setdefault((run.set, run.descriptor), []).append(run)
-    report.malformed += int((covered != piece.end - piece.at - OVERHEAD).sum())
     for key, runs in fields.items():
         if key not in report.fields:
             report.fields[key] = Kind(name_of(first(piece, runs)))
