@@ -107,17 +107,24 @@ class _Values:
         f = _field(name, (m.DATA, m.RESPONSE), at, self.model, self.problems)
         if f is None:
             return None
-        each, valid = node.get(FOR_EACH), node.get(VALID_IF)
-        for named in (each, valid):
-            if named is not None:
-                self.quantity(named)
         values = []
         for path, n in node.items():
             p = None if path in (FOR_EACH, VALID_IF) else self.parameter(f, path, node.keys[path])
             if p is not None:
                 values.append(self.value(f, path, n, p))
         own = None if name == f.full_name else self.model.set_of(name)
-        return Source(f, own, each.value if each else "", tuple(values), valid.value if valid else "")
+        return Source(f, own, self.named(node, FOR_EACH), tuple(values), self.named(node, VALID_IF))
+
+    def named(self, node: Node, key: str) -> str:
+        """Returns the name of the quantity that a key states, or "" without it."""
+        stated = node.get(key)
+        if stated is None:
+            return ""
+        if not isinstance(stated.value, str):
+            self.problems.add(stated.position, f"'{key}' must be the name of a quantity")
+            return ""
+        self.quantity(stated)
+        return stated.value
 
     def quantity(self, node: Node) -> Quantity | None:
         quantity = self.quantities.get(node.value)
