@@ -106,26 +106,6 @@ def test_options(parser: str, tmp_path: Path) -> None:
     run(program)
 
 
-@pytest.mark.parametrize("option", ["MIP_HOOKS", "MIP_DIAGNOSTICS", "MIP_WHOLE_ARRAYS"])
-def test_other_options_do_not_link(option: str, tmp_path: Path) -> None:
-    """Options that change structures: a program and a library with different ones would corrupt memory."""
-    program, library = tmp_path / "program.c", archive("invented", "cc", "-std=c99", "-O1")
-    program.write_text("""#include "mip/device.h"
-struct mip_port port;
-int main(void) {
-    static struct mip_device device;
-    static const struct mip_field field;
-    static uint8_t value[4];
-    mip_device_init(&device, &port, 0, NULL);
-    return mip_decode(&mip_any_field, value, &field, NULL);
-}
-""")
-    flags = ["-std=c99", "-O1", include("invented"), program, library, "-o", tmp_path / "program"]
-    run(need("cc"), *flags)
-    done = subprocess.run([need("cc"), f"-D{option}", *flags], capture_output=True, text=True)
-    assert done.returncode and "undefined reference" in done.stderr
-
-
 @pytest.mark.parametrize(("options", "most"), [("", 12), ("-DMIP_WHOLE_ARRAYS", 243)])
 def test_room_of_arrays(options: str, most: int, tmp_path: Path) -> None:
     """Arrays have room for their documented range, or for all that fits into a field; a larger count is an error."""

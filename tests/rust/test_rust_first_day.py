@@ -101,7 +101,7 @@ def test_faults(tmp_path: object) -> None:
     for fault in ("lose_answer@1", "lose_answer@2", "lose_answer@5", "nmea=0.2,noise=0.05"):
         with simulated("--pty", path, "--duration", "3", "--fault", fault):
             good(ran("stream", f"serial:{path}"))
-    with simulated("--pty", path, "--fault", "refuse@4"):
+    with simulated("--pty", path, "--fault", "refuse@5"):
         assert "Refused(AckCode(bad_checksum))" in ran("stream", f"serial:{path}")[2]
     with simulated("--pty", path, "--fault", "lose_answer=1"):
         assert "no device answers at 115200, 3000000, " in ran("stream", f"serial:{path}")[2]

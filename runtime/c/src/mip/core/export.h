@@ -2,7 +2,7 @@
  * @file
  * Attributes for compilers that know them: MIP_API marks the exports of a shared library,
  * MIP_INLINE, MIP_QUICK and MIP_APART determine which functions are inlined,
- * MIP_CHECKED marks results that callers must check. Options that change structures change names.
+ * MIP_CHECKED marks results that callers must check.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
@@ -80,27 +80,6 @@
 #else
 /** A static function that is not inlined, so that its callers stay small. */
 #define MIP_APART static
-#endif
-
-/* These options change structures. The functions that use them then have other names, so that a
- * program does not link with a library that was compiled with other options. */
-#ifdef MIP_HOOKS
-#define mip_device_begin mip_device_begin_with_hooks
-#endif
-#ifdef MIP_DIAGNOSTICS
-#define mip_parser_next mip_parser_next_with_diagnostics
-#define mip_client_init mip_client_init_with_diagnostics
-#define mip_device_wait mip_device_wait_with_diagnostics
-#define mip_device_step mip_device_step_with_diagnostics
-#endif
-#ifdef MIP_WHOLE_ARRAYS
-#define mip_decode mip_decode_whole_arrays
-#define mip_decode_same mip_decode_same_whole_arrays
-#define mip_encode mip_encode_whole_arrays
-#define mip_client_add mip_client_add_whole_arrays
-#define mip_client_send mip_client_send_whole_arrays
-#define mip_device_call mip_device_call_whole_arrays
-#define mip_device_request mip_device_request_whole_arrays
 #endif
 
 #endif
