@@ -30,11 +30,13 @@ FILLING = frozenset(
     re.findall(
         "[a-z]+",
         """
-        a about always am an and any are as at be between by can cannot could did do does doesn don during every for
-        from get go goes got had has have how i if in into is it its just keep keeps know like make makes me mean means
-        much my need never no not of on one only or our please possible put really same set several should show shows
-        so some still t than that the their then there they this to try trying use using want was way we what when
-        where which while who why will with without work works would you your
+        a about again also always am an and any anyone are as at be between by can cannot correctly could couple
+        did do does doesn don during every for from get getting go goes got had has have help how i if in
+        instead into is issue issues it its just keep keeps know like make makes me mean means much my need
+        never no not of on one only or our please possible problem problems properly put question really same
+        set several should show shows so some somehow something sometimes still t than that the their then there
+        they this to trouble try trying use using want was way we what when where which while who why will with
+        within without work works would you your
         """,
     )
 )
@@ -108,7 +110,7 @@ def finds_any(text: str) -> bool:
 
 
 def _words(text: str) -> list[str]:
-    return re.findall(r"[a-z0-9]+", text.lower())
+    return re.findall(r"\d+\.\d+|[a-z0-9]+", text.lower())
 
 
 def _stem(word: str) -> str:
