@@ -395,8 +395,8 @@ export declare class PressureOld extends Command<undefined> {
  * Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
  * 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
- * Use only one form of velocity: ECEF or NED. If the other sensor is fixed to the vehicle, use `BodyFrameVelocity`
- * instead. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ * Use only one form of velocity: ECEF or NED. For a sensor that is fixed to the vehicle, use `BodyFrameVelocity`. In
+ * mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -430,8 +430,8 @@ export declare class EcefVelocity extends Command<undefined> {
  * Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Confirmed on
  * 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
  *
- * Use only one form of velocity: ECEF or NED. If the other sensor is fixed to the vehicle, use `BodyFrameVelocity`
- * instead. In mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ * Use only one form of velocity: ECEF or NED. For a sensor that is fixed to the vehicle, use `BodyFrameVelocity`. In
+ * mode `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity

@@ -313,7 +313,7 @@ export declare class Resume extends Command<undefined> {
  * Response: `GetExtendedDescriptorsResponse`. Confirmed on 3DM-CV5-15, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45; likely or assumed on 12 more.
  *
- * A device supports it only if `GetDeviceDescriptors` lists it.
+ * Some devices lack this command; `GetDeviceDescriptors` lists it if the device has it.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)

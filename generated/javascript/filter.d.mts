@@ -1396,7 +1396,8 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
  *
  * Confirmed on 3DM-GX5-45; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK.
  *
- * The device rejects it unless `GnssSource` selects the external source. The maximum rate depends on the device.
+ * The device rejects this command unless `GnssSource` selects the external source. The maximum rate depends on the
+ * device.
  *
  * - mip-sdk-4: External GNSS update (0x0D,0x16)
  */
@@ -1427,7 +1428,7 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
  *
  * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
  *
- * The device rejects it unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+ * The device rejects this command unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
  * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
  * source is not valid, -25 models reject true headings and -45 models magnetic ones.
  *
@@ -1694,7 +1695,7 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
  * Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
  *
  * It is better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. The device
- * rejects it unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+ * rejects this command unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
  * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
  * source is not valid, -25 models reject true headings and -45 models magnetic ones.
  *
@@ -1765,7 +1766,7 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  * 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
  * only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
  *
- * The device rejects it while the filter has no valid attitude.
+ * The device rejects this command while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)

@@ -94,30 +94,14 @@ def test_only_problems_come_out(spec: Path, tmp_path: Path) -> None:
     assert refused > MUTATIONS // 2
 
 
-@pytest.mark.parametrize(
-    ("spec", "name", "keys", "value", "message"),
-    [
-        (
-            INVENTED,
-            "simulation/everything.yaml",
-            ["quantities", "specific_force", "typical", 1],
-            {"x": 1},
-            "cannot show",
-        ),
-        (BASE, "protocol.yaml", ["max_payload"], 7, "has 8 bytes with its acknowledge; max_payload is 7"),
-    ],
-)
-def test_mistakes_once_found(spec: Path, name: str, keys: list[Any], value: Any, message: str, tmp_path: Path) -> None:
-    """Mistakes of which one part of the generator reported a problem, and a later one failed."""
-    for other in (whole := files(spec)):
-        (tmp_path / other).parent.mkdir(exist_ok=True)
-        (tmp_path / other).write_text((spec / other).read_text("utf-8"), "utf-8")
-    container = whole[name]
-    for key in keys[:-1]:
-        container = container[key]
-    container[keys[-1]] = value
-    (tmp_path / name).write_text(yaml.dump(whole[name], allow_unicode=True, sort_keys=False), "utf-8")
-    with pytest.raises(SpecError, match=message):
+def test_a_typical_value_of_the_wrong_form(tmp_path: Path) -> None:
+    """It was reported, and then a guide that shows the field failed."""
+    whole = files(INVENTED)
+    whole["simulation/everything.yaml"]["quantities"]["specific_force"]["typical"][1] = {"x": 1}
+    for name, tree in whole.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(yaml.dump(tree, Dumper=Plain, allow_unicode=True, sort_keys=False), "utf-8")
+    with pytest.raises(SpecError, match="cannot show the typical value of 'specific_force'"):
         load_model(tmp_path)
 
 

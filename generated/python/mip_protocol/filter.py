@@ -2965,8 +2965,8 @@ class ExternalGnssUpdate(Command[None]):
 
     Confirmed on 3DM-GX5-45; likely or assumed on 5 more. Known only from the MicroStrain MIP SDK.
 
-    The device rejects it unless `GnssSource` selects the external source. The maximum rate depends
-    on the device.
+    The device rejects this command unless `GnssSource` selects the external source. The maximum
+    rate depends on the device.
 
     - mip-sdk-4: External GNSS update (0x0D,0x16)
     """
@@ -3078,10 +3078,10 @@ class ExternalHeadingUpdate(Command[None]):
 
     Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
 
-    The device rejects it unless external heading updates are enabled, by `HeadingSource` on the
-    3DM-GX5 and by `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20
-    updates per second. If the declination source is not valid, -25 models reject true headings and
-    -45 models magnetic ones.
+    The device rejects this command unless external heading updates are enabled, by `HeadingSource`
+    on the 3DM-GX5 and by `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most
+    20 updates per second. If the declination source is not valid, -25 models reject true headings
+    and -45 models magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -3757,10 +3757,10 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     Confirmed on 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or assumed on 15 more.
 
     It is better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be
-    accurate. The device rejects it unless external heading updates are enabled, by `HeadingSource`
-    on the 3DM-GX5 and by `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most
-    20 updates per second. If the declination source is not valid, -25 models reject true headings
-    and -45 models magnetic ones.
+    accurate. The device rejects this command unless external heading updates are enabled, by
+    `HeadingSource` on the 3DM-GX5 and by `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15
+    accepts at most 20 updates per second. If the declination source is not valid, -25 models reject
+    true headings and -45 models magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -3930,7 +3930,7 @@ class TareOrientation(Command[R]):
     3DM-GX5-45; likely or assumed on 11 more. On the 3DM-GX5-15: `write`, `save`, `load` and
     `default` only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
 
-    The device rejects it while the filter has no valid attitude.
+    The device rejects this command while the filter has no valid attitude.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare orientation (0x0D,0x21)

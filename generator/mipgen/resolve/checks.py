@@ -54,7 +54,7 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
         check_words,
         enumerations,
         bitfields,
-        lengths,
+        check_lengths,
         check_replies,
         check_clocks,
         check_session,
@@ -355,7 +355,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
 # --------------------------------------------------------------------------- fields
 
 
-def lengths(model: m.Model, problems: Problems) -> None:
+def check_lengths(model: m.Model, problems: Problems) -> None:
     """Requires that the shortest form of each field fits in a packet, that of a response behind its acknowledge.
     Fields that no packet can contain were reported with the parameter that is too much."""
     most = model.protocol.max_payload

@@ -113,9 +113,9 @@ class _Values:
             if p is not None:
                 values.append(self.value(f, path, n, p))
         own = None if name == f.full_name else self.model.set_of(name)
-        return Source(f, own, self.named(node, FOR_EACH), tuple(values), self.named(node, VALID_IF))
+        return Source(f, own, self.quantity_named(node, FOR_EACH), tuple(values), self.quantity_named(node, VALID_IF))
 
-    def named(self, node: Node, key: str) -> str:
+    def quantity_named(self, node: Node, key: str) -> str:
         """Returns the name of the quantity that a key states, or "" without it."""
         stated = node.get(key)
         if stated is None:

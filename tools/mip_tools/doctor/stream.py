@@ -16,7 +16,7 @@ from ..columns.intervals import Intervals
 from ..columns.scan import Array
 from ..columns.stamps import NONE
 from ..logs import inputs, recognize
-from ..logs.report import Kind, malformed
+from ..logs.report import Kind, count_malformed
 from ..text.clocks import dated
 from ..text.decoding import name_of
 from ..text.numbers import hertz
@@ -101,7 +101,7 @@ class Examination:
         for piece in log.pieces():
             progress.at(piece.begin)
             part.add(piece)
-            self.result.malformed += malformed(piece)
+            self.result.malformed += count_malformed(piece)
             self._damaged(self._skipped.add(piece))
         part.complete()
         for key, first in part.new.items():

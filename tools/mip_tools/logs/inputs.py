@@ -93,19 +93,22 @@ def arriving(name: str, progress: bool = True, empty: bool = False) -> Iterator[
 
     Raises Failure at the end if there were no packets, unless `empty` is set.
     """
-    scanner = Scanner()
-    source = chunks(name, progress)
     begin: bytes | None = b""  # before the first packet
-    for chunk in _waited_for(source) if name == "-" else source:
-        for piece in scanner.feed(chunk):
-            begin = None if begin is None or piece.packet is not None else begin + piece.data[: MOST - len(begin)]
-            yield piece
-        yield None
-    for piece in scanner.flush():
-        begin = None if begin is None or piece.packet is not None else begin + piece.data[: MOST - len(begin)]
+    for piece in _scanned(name, progress):
+        if piece is not None and begin is not None:
+            begin = None if piece.packet is not None else begin + piece.data[: MOST - len(begin)]
         yield piece
     if begin is not None and not empty:
         raise no_packets(name, begin)
+
+
+def _scanned(name: str, progress: bool) -> Iterator[Piece | None]:
+    scanner = Scanner()
+    source = chunks(name, progress)
+    for chunk in _waited_for(source) if name == "-" else source:
+        yield from scanner.feed(chunk)
+        yield None
+    yield from scanner.flush()
 
 
 def batches(arriving: Iterator[Piece | None]) -> Iterator[list[Piece]]:

@@ -118,7 +118,7 @@ class _Between:
             self.sentences += len(self._sentences.feed(gap.data))
 
 
-def malformed(piece: Piece) -> int:
+def count_malformed(piece: Piece) -> int:
     """Counts the packets with a field that runs past their end."""
     covered = np.zeros(len(piece.at), np.int64)
     for run in piece.runs or ():
@@ -137,7 +137,7 @@ def _add(report: Report, piece: Piece) -> None:
             before = report.sets.get(number, 0)
             report.sets[number] = before + several
             numbers[number] = before - 1 + np.cumsum(sets == number)
-    report.malformed += malformed(piece)
+    report.malformed += count_malformed(piece)
     fields: dict[tuple[int, int], list[Any]] = {}
     for run in piece.runs or ():
         fields.setdefault((run.set, run.descriptor), []).append(run)

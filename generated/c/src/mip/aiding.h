@@ -608,7 +608,7 @@ static inline struct mip_aiding_pressure_old *mip_aiding_pressure_old_make(
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * If the other sensor is fixed to the vehicle, use mip_aiding_body_frame_velocity instead.
+ * For a sensor that is fixed to the vehicle, use mip_aiding_body_frame_velocity.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -666,7 +666,7 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * If the other sensor is fixed to the vehicle, use mip_aiding_body_frame_velocity instead.
+ * For a sensor that is fixed to the vehicle, use mip_aiding_body_frame_velocity.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.

@@ -256,7 +256,7 @@ MIP_FIELD(mip_base_resume, 0x06);
  *
  * Response: mip_base_get_extended_descriptors_response.
  *
- * A device supports it only if mip_base_get_device_descriptors lists it.
+ * Some devices lack this command; mip_base_get_device_descriptors lists it if the device has it.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)

@@ -909,7 +909,7 @@ mip_filter_gnss_source_write_from(struct mip_filter_gnss_source *command,
  *
  * Known only from the MicroStrain MIP SDK.
  *
- * The device rejects it unless mip_filter_gnss_source selects the external source.
+ * The device rejects this command unless mip_filter_gnss_source selects the external source.
  *
  * The maximum rate depends on the device.
  *
@@ -968,8 +968,9 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
  *
  * Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
  *
- * The device rejects it unless external heading updates are enabled, by mip_filter_heading_source
- * on the 3DM-GX5 and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
+ * The device rejects this command unless external heading updates are enabled, by
+ * mip_filter_heading_source on the 3DM-GX5 and by mip_filter_aiding_measurement_enable on the
+ * 3DM-CV7.
  *
  * The 3DM-GX5-15 accepts at most 20 updates per second.
  *
@@ -1500,8 +1501,9 @@ static inline struct mip_filter_auto_zupt *mip_filter_auto_zupt_write_from(
  * It is better than mip_filter_external_heading_update if the heading changes quickly; the time
  * must be accurate.
  *
- * The device rejects it unless external heading updates are enabled, by mip_filter_heading_source
- * on the 3DM-GX5 and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
+ * The device rejects this command unless external heading updates are enabled, by
+ * mip_filter_heading_source on the 3DM-GX5 and by mip_filter_aiding_measurement_enable on the
+ * 3DM-CV7.
  *
  * The 3DM-GX5-15 accepts at most 20 updates per second.
  *
@@ -1633,7 +1635,7 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
  * On the 3DM-GX5-15: write, save, load and default only. On the 3DM-GX5-45: write, save, load and
  * default only.
  *
- * The device rejects it while the filter has no valid attitude.
+ * The device rejects this command while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)

@@ -688,7 +688,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - If the other sensor is fixed to the vehicle, use [`BodyFrameVelocity`] instead.
+    /// - For a sensor that is fixed to the vehicle, use [`BodyFrameVelocity`].
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -764,7 +764,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - If the other sensor is fixed to the vehicle, use [`BodyFrameVelocity`] instead.
+    /// - For a sensor that is fixed to the vehicle, use [`BodyFrameVelocity`].
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///

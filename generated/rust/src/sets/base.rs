@@ -304,7 +304,7 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45); likely or
     /// assumed on 12 more.
     ///
-    /// - A device supports it only if [`GetDeviceDescriptors`] lists it.
+    /// - Some devices lack this command; [`GetDeviceDescriptors`] lists it if the device has it.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).

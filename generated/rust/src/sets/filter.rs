@@ -1019,7 +1019,7 @@ record! {
     /// Confirmed on [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 5 more. Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// - The device rejects it unless [`GnssSource`] selects the external source.
+    /// - The device rejects this command unless [`GnssSource`] selects the external source.
     /// - The maximum rate depends on the device.
     ///
     /// Source: mip-sdk-4: External GNSS update (0x0D,0x16).
@@ -1108,8 +1108,8 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
     /// assumed on 15 more.
     ///
-    /// - The device rejects it unless external heading updates are enabled, by [`HeadingSource`] on
-    ///   the 3DM-GX5 and by [`AidingMeasurementEnable`] on the 3DM-CV7.
+    /// - The device rejects this command unless external heading updates are enabled, by
+    ///   [`HeadingSource`] on the 3DM-GX5 and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 accepts at most 20 updates per second.
     /// - If the declination source is not valid, -25 models reject true headings and -45 models
     ///   magnetic ones.
@@ -1687,8 +1687,8 @@ record! {
     ///
     /// - It is better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must
     ///   be accurate.
-    /// - The device rejects it unless external heading updates are enabled, by [`HeadingSource`] on
-    ///   the 3DM-GX5 and by [`AidingMeasurementEnable`] on the 3DM-CV7.
+    /// - The device rejects this command unless external heading updates are enabled, by
+    ///   [`HeadingSource`] on the 3DM-GX5 and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 accepts at most 20 updates per second.
     /// - If the declination source is not valid, -25 models reject true headings and -45 models
     ///   magnetic ones.
@@ -1871,7 +1871,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
-    /// - The device rejects it while the filter has no valid attitude.
+    /// - The device rejects this command while the filter has no valid attitude.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).
