@@ -328,6 +328,29 @@ test("rates are checked before anything is changed", async () => {
     await device.close();
 });
 
+test("a stream gets the first timestamp that the device accepts", async () => {
+    const formats = [];
+    const accepting = (stamp) =>
+        answering(({ set, descriptor, data }) => {
+            const rate = { descriptor: 0x8e, data: Uint8Array.of(data[0], 3, 0xe8), set };
+            if (descriptor === 0x0f) formats.push(toHex(data));
+            return descriptor === 0x0f && data[3] !== stamp ? ack(set, descriptor, 3) : [ack(set, descriptor), ...(descriptor === 0x0e ? [rate] : [])];
+        });
+    const rates = [[ScaledGyro, 50], [ScaledAccel, 333.33]]; // biome-ignore format: one line
+    for (const [i, stamp] of [0xd5, 0xd7, 0x12, 0xd3, 0x05].entries()) {
+        const { device } = await opened(accepting(stamp));
+        assert.deepEqual([...(await device.stream(rates)).values()], [50, 1000 / 3]);
+        assert.equal(formats.length, i + 1);
+        const begin = stamp === 5 ? "018002" : `018003${toHex(Uint8Array.of(stamp))}0003`;
+        assert.equal(formats.splice(0).at(-1), `${begin}050014040003`);
+        await device.close();
+    }
+    const { device } = await opened(accepting(0x05));
+    await device.stream(rates, { timestamp: false });
+    assert.deepEqual(formats, ["018002050014040003"]);
+    await device.close();
+});
+
 test("the times of a device are those of its model, once that is known", async () => {
     const responses = { 3: informed("3DM-GX5-25      ", "6253-4220") };
     const { device, port } = await opened(rejecting(responses, []));

@@ -23,6 +23,14 @@ where
         block_on(self.inner().stream(set, rates))
     }
 
+    pub fn stream_only(
+        &mut self,
+        set: DescriptorSet,
+        rates: &[Rate],
+    ) -> Result<u16, StreamError<P::Error>> {
+        block_on(self.inner().stream_only(set, rates))
+    }
+
     pub fn change_baud(
         &mut self,
         command: &impl ChangesBaud,

@@ -30,6 +30,8 @@ struct Fake {
     lose: usize,
     lose_of: u16,
     refuse: u16,
+    /// The descriptor with which a message format must begin (0: any).
+    begin: u8,
     /// Its name and number.
     model: [&'static str; 2],
     /// Packets of data that it sends without being asked.
@@ -55,6 +57,7 @@ fn at_rate(rate: u32, baud: u32) -> Device<Fake> {
         lose: 0,
         lose_of: 0,
         refuse: 0,
+        begin: 0,
         model: ["3DM-CV7-AHRS", "6286-9999"],
         data: 0,
         sent: Vec::new(),
@@ -121,7 +124,13 @@ impl Port for Fake {
         } else {
             !(0x0C06..0x0C0C).contains(&command)
         };
-        let refused = command == self.refuse || !known;
+        let first = match command {
+            0x0C0F => bytes[9],
+            0x0C08 => bytes[8],
+            _ => self.begin,
+        };
+        let begins = self.begin == 0 || self.begin == first;
+        let refused = command == self.refuse || !known || !begins;
         let mut payload = vec![4, 0xF1, bytes[5], u8::from(refused)];
         let [high, low] = self.base_rate.to_be_bytes();
         match command {
@@ -245,6 +254,33 @@ fn streams() {
 }
 
 #[test]
+fn a_stream_gets_the_first_timestamp_that_the_device_accepts() {
+    let rates = [Rate::of::<sensor::ScaledGyro>(50.0), Rate::of::<sensor::ScaledAccel>(333.33)];
+    let started = |begin, older, timed| {
+        let mut device = device(115_200);
+        (device.port_mut().begin, device.port_mut().older) = (begin, older);
+        let done = if timed {
+            device.stream(sensor::SET, &rates)
+        } else {
+            device.stream_only(sensor::SET, &rates)
+        };
+        assert_eq!(done, Ok(1000));
+        let format = if older { 0x0C08 } else { 0x0C0F };
+        let tried = device.port().commands().iter().filter(|x| **x == format).count();
+        (tried, device.port().last(format).to_vec())
+    };
+    for (i, stamp) in [0xD5, 0xD7, 0x12, 0xD3].into_iter().enumerate() {
+        let sent = vec![1, 0x80, 3, stamp, 0, 3, 5, 0, 20, 4, 0, 3];
+        assert_eq!(started(stamp, false, true), (i + 1, sent));
+        let sent = vec![1, 3, stamp, 0, 3, 5, 0, 20, 4, 0, 3];
+        assert_eq!(started(stamp, true, true), (i + 1, sent));
+    }
+    let none = vec![1, 0x80, 2, 5, 0, 20, 4, 0, 3];
+    assert_eq!(started(5, false, true), (5, none.clone()));
+    assert_eq!(started(0, false, false), (1, none));
+}
+
+#[test]
 fn streams_of_older_devices() {
     let sets = [(sensor::SET, 0x0C06, 0x0C08, 1), (filter_data::SET, 0x0C0B, 0x0C0A, 3)];
     for (set, base, format, stream) in sets {
@@ -338,7 +374,7 @@ fn decimations_are_the_nearest() {
         {
             let mut device = device(115_200);
             device.port_mut().base_rate = base;
-            let got = match device.stream(sensor::SET, &[Rate::of_descriptor(4, wanted)]) {
+            let got = match device.stream_only(sensor::SET, &[Rate::of_descriptor(4, wanted)]) {
                 Err(StreamError::NoSuchRate { nearest, .. }) => nearest,
                 done => done.map(|_| wanted).unwrap(),
             };
@@ -356,7 +392,7 @@ fn each_rate_of_the_device_has_its_decimation() {
             let mut device = device(115_200);
             device.port_mut().base_rate = base;
             let rate = Rate::of_descriptor(4, f32::from(base) / f32::from(by));
-            assert_eq!(device.stream(sensor::SET, &[rate]), Ok(base), "{base} by {by}");
+            assert_eq!(device.stream_only(sensor::SET, &[rate]), Ok(base), "{base} by {by}");
             let [high, low] = by.to_be_bytes();
             assert_eq!(device.port().last(0x0C0F), [1, 0x80, 1, 4, high, low]);
         }
@@ -368,7 +404,7 @@ fn data_that_is_sent_as_it_arrives_has_no_rate() {
     let mut device = device(115_200);
     device.port_mut().base_rate = 0;
     assert_eq!(device.stream(sensor::SET, &[Rate::of::<sensor::ScaledAccel>(5.0)]), Ok(0));
-    assert_eq!(device.port().last(0x0C0F), [1, 0x80, 1, 4, 0, 1]);
+    assert_eq!(device.port().last(0x0C0F), [1, 0x80, 2, 0xD5, 0, 1, 4, 0, 1]);
 }
 
 #[test]

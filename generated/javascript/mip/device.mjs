@@ -185,8 +185,8 @@ export class Device {
         return this.request(session.identify());
     }
 
-    stream(rates, { set } = {}) {
-        return stream(this, session, new Map(rates), set, this.#identified);
+    stream(rates, options = {}) {
+        return stream(this, session, new Map(rates), options, this.#identified);
     }
 
     // ------------------------------------------------------------------------------------------------ data

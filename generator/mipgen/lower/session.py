@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 
+from . import validity
+
 
 @dataclass(frozen=True, slots=True)
 class Rate:
@@ -45,6 +47,7 @@ class Session:
     stream: m.Field
     older: tuple[Older, ...]
     descriptors: tuple[m.Field, ...]  # list what the device has
+    timestamps: tuple[tuple[int, m.Field], ...]  # to add to a stream, in this order: with their sets, 0 for all
 
     @property
     def commands(self) -> tuple[m.Field, ...]:
@@ -67,8 +70,17 @@ def session(model: m.Model) -> Session | None:
     bauds = (names.baud, *sorted(rates - {names.baud}, reverse=True))
     return Session(
         bauds, names.model_numbers, ping, idle, resume, identify, rate, message_format, entries, stream, older,
-        descriptors,
+        descriptors, _timestamps(model),
     )  # fmt: skip
+
+
+def _timestamps(model: m.Model) -> tuple[tuple[int, m.Field], ...]:
+    """Returns the timestamps that streams try until a device accepts one: first those that are always valid, then a
+    set's own, which older devices have, then those that all sets share."""
+    known = sorted(
+        reversed(validity.timestamps(model)), key=lambda t: (any(c.epoch for c in t.clocks), t.field.everywhere is not None)
+    )
+    return tuple((number, t.field) for t in known for number in ((0,) if t.field.everywhere else t.sets))
 
 
 def _older(older: m.Older, model: m.Model) -> Older | None:

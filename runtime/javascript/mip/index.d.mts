@@ -395,15 +395,19 @@ export declare class Device implements AsyncIterable<Packet> {
     identify(): Promise<Identity>;
     /**
      * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
-     * supports. Replaces the set's message format, enables its stream and resumes. Returns the rates. Adds no timestamp:
-     * list one for `packet.time`.
+     * supports. Replaces the set's message format, enables its stream and resumes. Returns the rates. Adds the first timestamp that the
+     * device accepts, as often as the most frequent field, unless `rates` has one.
      *
      * Throws a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
      * "set" if the fields have no set in common; and the errors of `request`.
      *
      * @param options.set the descriptor set, if the fields occur in several
+     * @param options.timestamp false to add no timestamp
      */
-    stream(rates: Iterable<readonly [FieldClass<Data>, number]>, options?: { set?: number }): Promise<Map<FieldClass<Data>, number>>;
+    stream(
+        rates: Iterable<readonly [FieldClass<Data>, number]>,
+        options?: { set?: number; timestamp?: boolean },
+    ): Promise<Map<FieldClass<Data>, number>>;
     /** Yields data packets as they arrive, until the device is closed; throws "closed" when the port is lost. */
     [Symbol.asyncIterator](): AsyncGenerator<Packet, void, undefined>;
     /** Returns the next data packet, or undefined if none arrives within `timeout` seconds or the device is closed. */

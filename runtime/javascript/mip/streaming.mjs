@@ -6,9 +6,10 @@ const LARGEST = 0xffff; // decimation
 
 /**
  * @param rates a Map: class of a field -> Hz, 0 for the highest rate
+ * @param timestamp false for none
  * @param identified false to ask the device which model it is
  */
-export async function stream(device, session, rates, set, identified) {
+export async function stream(device, session, rates, { set, timestamp = true }, identified) {
     if (!session) throw new MipError("session", "this package's specification has no commands for it");
     const number = setOf(rates, set);
     // The device learns from the answer; without one, flags are read as those of no known model.
@@ -16,7 +17,8 @@ export async function stream(device, session, rates, set, identified) {
     const { base, older } = await baseRate(device, session, number);
     const decimations = new Map([...rates].map(([kind, rate]) => [kind, decimation(base, rate)]));
     const nearest = new Map([...decimations].map(([kind, by]) => [kind, base / by]));
-    const missing = [...rates].filter(([kind, rate]) => rate !== 0 && rate !== nearest.get(kind));
+    // 333.33 Hz is accepted for 1000 Hz / 3.
+    const missing = [...rates].filter(([kind, rate]) => rate && Math.abs(rate - nearest.get(kind)) > 1e-4 * rate);
     if (missing.length && base) {
         const words = missing.map(([kind, rate]) => `${kind.NAME} at ${rate} Hz (nearest: ${nearest.get(kind)} Hz)`);
         throw new MipError("rate", `the base rate is ${base} Hz; not possible: ${words.join(", ")}`, { base, nearest });
@@ -24,10 +26,25 @@ export async function stream(device, session, rates, set, identified) {
     // Fields that all sets share come first, because each packet of a long message repeats them.
     const kinds = [...decimations.keys()].sort((a, b) => Array.isArray(a.SETS) - Array.isArray(b.SETS));
     const items = kinds.map((kind) => session.item(kind.DESCRIPTOR, decimations.get(kind)));
-    await device.request(older ? older.format(items) : session.format(number, items));
+    const fastest = Math.min(...decimations.values());
+    for (const stamp of [...(timestamp ? timestamps(session, number, kinds) : []), undefined]) {
+        const all = stamp ? [session.item(stamp, fastest), ...items] : items;
+        try {
+            await device.request(older ? older.format(all) : session.format(number, all));
+            break;
+        } catch (error) {
+            if (error.kind !== "refused" || !stamp) throw error; // the next one, or none
+        }
+    }
     await device.request(session.stream(older ? older.stream : number));
     await device.request(session.resume());
     return nearest;
+}
+
+/** Returns the descriptors of the timestamps to try for a set; none if there is one, or nothing to send. */
+function timestamps(session, set, kinds) {
+    const found = session.timestamps.flatMap(([own, stamp]) => (own === 0 || own === set ? [stamp] : []));
+    return kinds.length === 0 || kinds.some((kind) => found.includes(kind.DESCRIPTOR)) ? [] : found;
 }
 
 /** Reads the base rate of a set in Hz; also returns the commands of older devices if this is one. */

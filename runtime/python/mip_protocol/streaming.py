@@ -38,6 +38,8 @@ class Session(NamedTuple):
     identify: Callable[[], Command[Any]]
     descriptors: Sequence[Callable[[], Command[Any]]]  # list what the device has
     older: Mapping[int, Older] = {}
+    #: Descriptor set (0 for all) and descriptor of the timestamps to try, in this order.
+    timestamps: Sequence[tuple[int, int]] = ()
 
 
 def steps(
@@ -75,7 +77,7 @@ def steps(
     if missing and base:
         raise NoSuchRate(base, missing, nearest)
     fastest = min(decimations.values(), default=1)
-    for stamp in (*_timestamps(number, rates, timestamp), None):
+    for stamp in (*_timestamps(session, number, rates, timestamp), None):
         wanted = {**decimations, **({stamp: fastest} if stamp else {})}
         # Fields that all sets share come first, because each packet of a long message repeats them.
         kinds = sorted(wanted, key=lambda kind: not isinstance(kind.SETS, range))
@@ -93,20 +95,20 @@ def steps(
 
 
 def _timestamps(
-    number: int, rates: Mapping[type[Field], float], timestamp: str | None
+    session: Session, number: int, rates: Mapping[type[Field], float], timestamp: str | None
 ) -> Sequence[type[Field]]:
-    """Returns the timestamps to try for a set that has none: first those that are always valid."""
-    from .timestamps import clocks_of, kinds  # which most programs do not need
+    """Returns the timestamps to try for a set, none if one is wanted anyway."""
+    from .registry import types
+    from .timestamps import clocks_of  # which most programs do not need
 
     if timestamp not in (None, "auto", *CLOCKS):
         raise ValueError(f"{timestamp!r} is not a clock; use one of {', '.join(CLOCKS)}")
-    if not rates:  # the message format is cleared
+    if not rates or timestamp is None:  # without rates, the message format is cleared
         return ()
-    clocks = list(CLOCKS) if timestamp == "auto" else [timestamp] if timestamp else []
-    found = dict.fromkeys(kind for clock in reversed(clocks) for kind in kinds(number, clock))
-    if any(kind in rates for kind in found):
-        return ()
-    return sorted(found, key=lambda k: any(CLOCKS[c] for c in clocks_of(number, k.DESCRIPTOR)))
+    known = [d for occurs, d in session.timestamps if occurs in (0, number)]
+    wanted = [d for d in known if timestamp == "auto" or timestamp in clocks_of(number, d)]
+    found = [types(number, d)[0] for d in wanted]
+    return () if any(kind in rates for kind in found) else found
 
 
 def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:

@@ -9,6 +9,8 @@ struct fake {
     uint32_t baud, rate, clock, base_rate;
     /* Replies that it loses, and to which command (0: all); a command that it NACKs; data that it sends. */
     unsigned lose, lose_of, refuse, data;
+    /* Unless 0, the descriptor with which a message format must begin. */
+    uint8_t begin;
     /* True if it has the older commands for some sets, in place of the others. */
     bool older;
     /* The fastest rate of the port. Reads and writes until the port is gone. */
@@ -55,7 +57,9 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
     const unsigned command = bytes[2] * 0x100u + bytes[5];
     const bool known = f->older ? command != 0x0C0E && command != 0x0C0F && command != 0x0C07
                                 : command < 0x0C06 || command > 0x0C0B;
-    const uint8_t acknowledge[2] = {bytes[5], (uint8_t)(command == f->refuse || !known)};
+    const bool misses = f->begin != 0 && ((command == 0x0C0F && bytes[9] != f->begin) ||
+                                          (command == 0x0C08 && bytes[8] != f->begin));
+    const uint8_t acknowledge[2] = {bytes[5], (uint8_t)(command == f->refuse || !known || misses)};
     struct mip_builder answer;
     uint8_t data[82];
     if (f->writes_left == 0 || --f->writes_left == 0) {
@@ -284,6 +288,32 @@ static void streams(void) {
     }
 }
 
+/* The first timestamp of the set that the device accepts; the first reply counts if it accepts none. */
+static void times(void) {
+    static const uint8_t stamps[] = {0xD5, 0xD7, 0x12, 0xD3};
+    for (unsigned i = 0; i < sizeof(stamps); i++) {
+        struct mip_rate rates[] = {{0x04, 50, 0}, {MIP_TIMESTAMP, 100, 0}};
+        start(115200);
+        fake.begin = stamps[i];
+        CHECK(mip_device_stream(&device, 0x80, 1, rates).outcome == MIP_REFUSED && fake.count == 2);
+        struct mip_rate timed[] = {rates[1], rates[0]};
+        start(115200);
+        fake.begin = stamps[i];
+        CHECK(mip_device_stream(&device, 0x80, 2, timed).outcome == MIP_ACKNOWLEDGED && fake.count == 4 + i);
+        CHECK(fake.format_size == 9 && fake.format[3] == stamps[i] && mip_get_16(fake.format + 4) == 10);
+        CHECK(fake.format[6] == 0x04 && mip_get_16(fake.format + 7) == 20);
+        CHECK(timed[0].descriptor == MIP_TIMESTAMP); /* for another device */
+        start(115200);
+        fake.begin = 0x11; /* of another set */
+        CHECK(mip_device_stream(&device, 0x80, 2, timed).outcome == MIP_REFUSED && fake.count == 5);
+        start(115200);
+        fake.older = true;
+        fake.begin = stamps[i];
+        CHECK(mip_device_stream(&device, 0x80, 2, timed).outcome == MIP_ACKNOWLEDGED && fake.count == 5 + i);
+    }
+    CHECK(has(1000, 333.33F, 3, 1000.0F / 3) && !has(1000, 333.2F, 3, 1000.0F / 3));
+}
+
 /* Older devices have commands for each of their sets, and streams with numbers. */
 static void older(void) {
     static const struct {
@@ -323,6 +353,7 @@ int main(void) {
     connects();
     patient();
     streams();
+    times();
     older();
     retries();
     return 0;

@@ -41,9 +41,12 @@ MIP_API struct mip_result mip_device_connect(struct mip_device *device,
                                              bool (*set_baud)(void *user, uint32_t baud),
                                              struct mip_base_get_device_info_response *identity);
 
+/** The first timestamp of the set that the device accepts; it rejects the stream if it has none. */
+#define MIP_TIMESTAMP 0U
+
 /** A field of a stream, and how often it is sent. */
 struct mip_rate {
-    /** The field of the set: MIP_..._DESCRIPTOR. */
+    /** The field of the set: MIP_..._DESCRIPTOR, or MIP_TIMESTAMP. */
     uint8_t descriptor;
     /** The wanted rate in Hz. 0: the highest rate of the device. */
     float wanted;
@@ -54,9 +57,9 @@ struct mip_rate {
 
 /**
  * Starts the data of a set: reads the base rate of the set, writes which fields are sent and how
- * often, in this order, enables the stream, and ends the idle state. No timestamp is added: list
- * one to get the times of packets. Fields that all sets share, such as timestamps, come first. If
- * the device rejects the first command, the older commands for the set are used instead.
+ * often, in this order, enables the stream, and ends the idle state. List MIP_TIMESTAMP first, as
+ * often as the most frequent field, to get the times of packets. If the device rejects the first
+ * command, the older commands for the set are used instead.
  *
  * A device divides its base rate by whole numbers. If it does not support a wanted rate, nothing is
  * changed, and the outcome is MIP_NO_SUCH_RATE: look for the rates whose `wanted` and `nearest`

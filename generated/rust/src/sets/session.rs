@@ -27,6 +27,20 @@ pub const BAUD_RATES: [u32; 10] = [
     115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800,
 ];
 
+/// The descriptor sets (0 for all) and the descriptors of the timestamps that a stream tries.
+const TIMESTAMPS: [(u8, u8); 10] = [
+    (0, 0xD5),
+    (0, 0xD7),
+    (0x81, 0x09),
+    (0x91, 0x09),
+    (0x92, 0x09),
+    (0x94, 0x09),
+    (0x95, 0x09),
+    (0x82, 0x11),
+    (0x80, 0x12),
+    (0, 0xD3),
+];
+
 /// The time-out of a ping in milliseconds.
 const LISTEN: u32 = 150;
 /// The time in milliseconds that a device takes to change its baud rate after the acknowledge.
@@ -193,9 +207,10 @@ fn quotient(base: u16, decimation: u16) -> f32 {
     f32::from_bits((exponent << 23).wrapping_add(digits.wrapping_add(1) >> 1))
 }
 
-/// Compares rates: to compare floats, a microcontroller may need a function of the compiler.
-fn same(a: f32, b: f32) -> bool {
-    a.to_bits() == b.to_bits()
+/// Compares rates: 333.33 Hz is the same as 1000 Hz / 3. To compare floats, a microcontroller may
+/// need a function of the compiler.
+const fn same(a: f32, b: f32) -> bool {
+    a.to_bits().abs_diff(b.to_bits()) < 1024 // a ten-thousandth
 }
 
 /// The reason why a stream was not started.
@@ -300,15 +315,28 @@ fn nobody_answers<E>() -> DeviceError<E> {
     CommandError::of::<crate::base::Ping>(Reason::TimedOut).into()
 }
 
+/// Returns the descriptors of the timestamps to try; none if there is one, or nothing to send.
+fn timestamps(set: DescriptorSet, rates: &[Rate]) -> impl Iterator<Item = u8> {
+    let known = TIMESTAMPS.iter().filter(move |(own, _)| [0, set.0].contains(own)).map(|x| x.1);
+    let given = known.clone().any(|stamp| rates.iter().any(|rate| rate.descriptor == stamp));
+    let none = given || rates.is_empty();
+    known.filter(move |_| !none)
+}
+
 /// Returns the number of a set's stream, and the command that writes its message format.
 fn format<'m>(
     set: DescriptorSet,
     older: bool,
+    stamp: Option<u8>,
     rates: &[Rate],
     base: u16,
     memory: &'m mut [u8; MAX_FIELD_DATA],
 ) -> Result<(u8, Bytes<'m>), EncodeError> {
-    let count = rates.len() as u8; // more do not fit
+    let items =
+        rates.iter().map(|rate| types::DescriptorRate::new(rate.descriptor, rate.decimation(base)));
+    let fastest = items.clone().map(|x| x.decimation).min().unwrap_or(1);
+    let stamp = stamp.map(|descriptor| types::DescriptorRate::new(descriptor, fastest));
+    let count = (rates.len() as u8).wrapping_add(u8::from(stamp.is_some())); // more do not fit
     let mut writer = Writer::of_field(memory);
     #[rustfmt::skip] // a line for each
     let (kind, number, mut done) = match set.0 {
@@ -317,8 +345,7 @@ fn format<'m>(
         0x82 if older => (kind::<crate::mip_3dm::FilterMessageFormat>(), 3, writer.put(&[1, count])),
         _ => (kind::<crate::mip_3dm::MessageFormat>(), set.0, writer.put(&[1, set.0, count])),
     };
-    for rate in rates {
-        let item = types::DescriptorRate::new(rate.descriptor, rate.decimation(base));
+    for item in stamp.into_iter().chain(items) {
         done = done.and_then(|()| writer.write(&item));
     }
     let size = writer.finish(done, kind.name())?;
@@ -395,8 +422,8 @@ $($of)* {
     /// in Hz, which is that of [`Rate::fastest`]. A base rate of 0 means that data is sent as it
     /// arrives.
     ///
-    /// No timestamp is added: list one to get the times of packets. Fields that all sets share, such
-    /// as timestamps, come first. If the device rejects the first command, the older commands for
+    /// The first timestamp that the device accepts is added, as often as the most frequent field,
+    /// unless `rates` has one; see [`Self::stream_only`]. If the device rejects the first command, the older commands for
     /// the set are used instead. Commands without a reply are repeated. With the feature `open`, it
     /// first asks which model the device is, unless that is known.
     ///
@@ -409,6 +436,29 @@ $($of)* {
         &mut self,
         set: DescriptorSet,
         rates: &[Rate],
+    ) -> Result<u16, StreamError<P::Error>> {
+        self.start(set, rates, true)$($await)*
+    }
+
+    /// Like [`Self::stream`], without adding a timestamp: packets have no time unless one is listed,
+    /// best in front of the fields of a single set, because each packet of a long message repeats it.
+    ///
+    /// # Errors
+    ///
+    /// Returns those of [`Self::stream`].
+    pub $($async)* fn stream_only(
+        &mut self,
+        set: DescriptorSet,
+        rates: &[Rate],
+    ) -> Result<u16, StreamError<P::Error>> {
+        self.start(set, rates, false)$($await)*
+    }
+
+    $($async)* fn start(
+        &mut self,
+        set: DescriptorSet,
+        rates: &[Rate],
+        timed: bool,
     ) -> Result<u16, StreamError<P::Error>> {
         for rate in rates {
             let occurs = rate.sets.iter().any(|x| x.0 == set.0); // smaller than `contains`
@@ -458,10 +508,17 @@ $($of)* {
             }
         }
         let mut memory = [0; MAX_FIELD_DATA];
-        let encoded = format(set, older, rates, base, &mut memory);
-        let (number, command) = encoded.map_err(|e| DeviceError::Request(e.into()))?;
-        let done = self.exchange(&command, ATTEMPTS)$($await)*.map(|_| ());
-        self.explained(done, &command)$($await)*?;
+        let mut stamps = timestamps(set, rates).filter(|_| timed);
+        let number = loop {
+            let stamp = stamps.next(); // `None` at last
+            let encoded = format(set, older, stamp, rates, base, &mut memory);
+            let (number, command) = encoded.map_err(|e| DeviceError::Request(e.into()))?;
+            let done = self.exchange(&command, ATTEMPTS)$($await)*.map(|_| ());
+            if stamp.is_none() || !is_refused(&done) {
+                self.explained(done, &command)$($await)*?;
+                break number;
+            }
+        };
         self.tell::<crate::mip_3dm::DataStreamControl>(&[1, number, 1])$($await)*?;
         self.tell::<crate::base::Resume>(&[])$($await)*?;
         Ok(base)

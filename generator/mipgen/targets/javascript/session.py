@@ -42,6 +42,7 @@ class Session:
     item: tuple[str, str]
     stream: str
     older: tuple[Older, ...]
+    timestamps: tuple[tuple[int, int], ...]  # set, 0 for all, and descriptor
 
 
 def session_commands(model: m.Model) -> Session | None:
@@ -70,6 +71,7 @@ def session_commands(model: m.Model) -> Session | None:
         item=(descriptor, decimation),
         stream=_call(start.stream, "set", "true"),
         older=tuple(Older(x.set, _rate(x.base_rate), _call(x.format, "items"), x.stream) for x in start.older),
+        timestamps=tuple((number, f.descriptor) for number, f in start.timestamps),
     )
 
 

@@ -35,6 +35,7 @@ class Session:
     information: str  # the path from its response to the parameters with the model's number
     descriptors: tuple[str, ...]
     older: tuple[Older, ...]
+    timestamps: tuple[tuple[int, int], ...]  # set, 0 for all, and descriptor
 
 
 def session_commands(model: m.Model) -> Session | None:
@@ -58,6 +59,7 @@ def session_commands(model: m.Model) -> Session | None:
         ".".join(map(names.member, start.model_numbers[0].split(".")[:-1])),
         tuple(map(_call, start.descriptors)),
         tuple(Older(x.set, *_data(x.base_rate, x.format), x.stream) for x in start.older),
+        tuple((number, f.descriptor) for number, f in start.timestamps),
     )
 
 

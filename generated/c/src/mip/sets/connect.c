@@ -168,20 +168,21 @@ static struct mip_result divide(struct mip_device *device, void *shared) {
     (void)device;
     for (size_t i = 0; i < plan->count; i++) {
         struct mip_rate *rate = &plan->rates[i];
+        const float tolerance = rate->wanted * 1e-4f; /* 333.33 Hz is 1000 Hz / 3 */
         const bool fastest = rate->wanted <= 0 && rate->wanted >= 0;
         const uint16_t by = base == 0 || fastest ? 1 : decimation(base, rate->wanted);
         plan->fields[i].descriptor = rate->descriptor;
         plan->fields[i].decimation = by;
         rate->nearest = (float)base / (float)by;
-        if (!fastest && !(rate->nearest <= rate->wanted && rate->nearest >= rate->wanted)) {
+        const float more = rate->nearest - rate->wanted;
+        if (!fastest && !(more <= tolerance && -more <= tolerance)) {
             result.outcome = MIP_NO_SUCH_RATE;
         }
     }
     return result;
 }
 
-static struct mip_result format(struct mip_device *device, void *shared) {
-    const struct plan *plan = (const struct plan *)shared;
+static struct mip_result write_format(struct mip_device *device, const struct plan *plan) {
     if (plan->older && plan->descriptor_set == 0x80) {
         return mip_call_3dm_imu_message_format_write(device, plan->count, plan->fields);
     }
@@ -193,6 +194,32 @@ static struct mip_result format(struct mip_device *device, void *shared) {
     }
     return mip_call_3dm_message_format_write(device, plan->descriptor_set, plan->count,
                                              plan->fields);
+}
+
+/** The timestamps to try, in this order: descriptor set, 0 for all, and descriptor. */
+static const uint8_t timestamps[][2] = {
+    {0, 0xD5},    {0, 0xD7},    {0x81, 0x09}, {0x91, 0x09}, {0x92, 0x09},
+    {0x94, 0x09}, {0x95, 0x09}, {0x82, 0x11}, {0x80, 0x12}, {0, 0xD3},
+};
+
+static struct mip_result format(struct mip_device *device, void *shared) {
+    struct plan *plan = (struct plan *)shared;
+    struct mip_result result = {MIP_REFUSED, 0, MIP_OK, false};
+    size_t at = 0;
+    while (at < plan->count && plan->rates[at].descriptor != MIP_TIMESTAMP) {
+        at++;
+    }
+    if (at == plan->count) {
+        return write_format(device, plan);
+    }
+    for (size_t i = 0;
+         i < sizeof(timestamps) / sizeof(timestamps[0]) && result.outcome == MIP_REFUSED; i++) {
+        if (timestamps[i][0] == 0 || timestamps[i][0] == plan->descriptor_set) {
+            plan->fields[at].descriptor = timestamps[i][1];
+            result = write_format(device, plan);
+        }
+    }
+    return result;
 }
 
 static struct mip_result stream(struct mip_device *device, void *shared) {
