@@ -255,7 +255,7 @@ fn streams() {
 
 #[test]
 fn a_stream_gets_the_first_timestamp_that_the_device_accepts() {
-    let rates = [Rate::of::<sensor::ScaledGyro>(50.0), Rate::of::<sensor::ScaledAccel>(333.33)];
+    let rates = [Rate::of::<sensor::ScaledGyro>(124.99), Rate::of::<sensor::ScaledAccel>(333.33)];
     let started = |begin, older, timed| {
         let mut device = device(115_200);
         (device.port_mut().begin, device.port_mut().older) = (begin, older);
@@ -270,12 +270,12 @@ fn a_stream_gets_the_first_timestamp_that_the_device_accepts() {
         (tried, device.port().last(format).to_vec())
     };
     for (i, stamp) in [0xD5, 0xD7, 0x12, 0xD3].into_iter().enumerate() {
-        let sent = vec![1, 0x80, 3, stamp, 0, 3, 5, 0, 20, 4, 0, 3];
+        let sent = vec![1, 0x80, 3, stamp, 0, 3, 5, 0, 8, 4, 0, 3];
         assert_eq!(started(stamp, false, true), (i + 1, sent));
-        let sent = vec![1, 3, stamp, 0, 3, 5, 0, 20, 4, 0, 3];
+        let sent = vec![1, 3, stamp, 0, 3, 5, 0, 8, 4, 0, 3];
         assert_eq!(started(stamp, true, true), (i + 1, sent));
     }
-    let none = vec![1, 0x80, 2, 5, 0, 20, 4, 0, 3];
+    let none = vec![1, 0x80, 2, 5, 0, 8, 4, 0, 3];
     assert_eq!(started(5, false, true), (5, none.clone()));
     assert_eq!(started(0, false, false), (1, none));
 }
@@ -336,6 +336,11 @@ fn a_device_that_was_asked_what_it_is_has_its_own_times() {
     assert_eq!(clocks(&mut device), Some("gps"));
     assert_eq!(device.profile().unwrap().map(|profile| profile.id), Some("3dm-gx5-25"));
     assert_eq!(clocks(&mut device), Some("device"));
+    // The serial number is not asked if there is a model number, even of a model that is not known.
+    device.port_mut().model[1] = "6299-0000       6253-4220";
+    assert_eq!(device.profile(), Ok(None));
+    device.port_mut().model[1] = "                6253-4220";
+    assert_eq!(device.profile().unwrap().map(|profile| profile.id), Some("3dm-gx5-25"));
     assert_eq!(device.connect(&BAUD_RATES), Ok(Some(115_200))); // perhaps to another one
     assert_eq!(clocks(&mut device), Some("gps"));
 }
@@ -343,8 +348,15 @@ fn a_device_that_was_asked_what_it_is_has_its_own_times() {
 #[test]
 fn a_rate_that_the_device_lacks_changes_nothing() {
     let least = 1000.0 / 65535.0;
-    let wrong =
-        [(70.0, 1000.0 / 14.0), (2000.0, 1000.0), (-1.0, least), (0.0, least), (f32::NAN, 1000.0)];
+    let wrong = [
+        (70.0, 1000.0 / 14.0),
+        (2000.0, 1000.0),
+        (-1.0, least),
+        (0.0, least),
+        (f32::NAN, 1000.0),
+        (66.674, 1000.0 / 15.0),
+        (f32::MAX, 1000.0),
+    ];
     for (hz, next) in wrong {
         let mut device = device(115_200);
         let asked = [Rate::of::<sensor::ScaledGyro>(10.0), Rate::of::<sensor::ScaledAccel>(hz)];

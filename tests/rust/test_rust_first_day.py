@@ -251,12 +251,15 @@ async fn lost() {
 }
 
 fn retried(path: &str) {
-    let away = format!("{path}.away");
+    let wait = || {
+        println!();
+        std::io::stdin().read_line(&mut String::new()).unwrap();
+    };
     let mut line = Line::open(&format!("serial:{path}")).unwrap();
     assert!(line.set_baud(230_400).unwrap());
-    fs::rename(path, &away).unwrap();
+    wait(); // until it is unplugged
     line.reopen(Duration::ZERO).unwrap_err();
-    fs::rename(&away, path).unwrap();
+    wait(); // until it is back
     line.reopen(Duration::ZERO).unwrap();
     assert_eq!(line.baud(), Some(230_400)); // as before
 }
@@ -307,8 +310,18 @@ async fn main() {
 
 @heavy(EXAMPLES)
 def test_ports_of_programs(tmp_path: Path) -> None:
-    _, terminal = os.openpty()
-    (tmp_path / "port").symlink_to(os.ttyname(terminal))
-    program = built("ports", PORTS)
-    for words in (["lost"], ["written"], ["retried", tmp_path / "port"], ["recorded", tmp_path / "log.bin"]):
+    program, port = built("ports", PORTS), tmp_path / "port"
+    for words in (["lost"], ["written"], ["recorded", tmp_path / "log.bin"]):
         subprocess.run([program, *words], check=True, timeout=PATIENCE)
+    plugged = os.openpty()
+    port.symlink_to(os.ttyname(plugged[1]))
+    with subprocess.Popen([program, "retried", port], stdin=-1, stdout=-1, text=True) as process:
+        assert process.stdin and process.stdout and process.stdout.readline()
+        for end in plugged:
+            os.close(end)
+        port.unlink()
+        print(file=process.stdin, flush=True)
+        process.stdout.readline()
+        port.symlink_to(os.ttyname(os.openpty()[1]))
+        process.communicate("\n", timeout=PATIENCE)
+    assert process.returncode == 0

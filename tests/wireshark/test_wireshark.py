@@ -18,6 +18,7 @@ from mipgen.emit import render
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
+from random_values import chance, record
 from shark import Shark
 from support import SPECS, all_fields, heavy, model, set_of
 from timed_packets import cases_of_devices
@@ -191,10 +192,10 @@ def test_a_sibling_has_units(tmp_path: Path) -> None:
     of, packets = model("real"), []
     for name, given, _ in cases:
         f = next(f for f in of.fields if f.full_name == name)
-        values = next(values for g, values in random_values("real") if g is f)
-        if "initial_position" in values:
-            values = {**values, "function": 1, "initial_position": ["0x3F800000", "0x40000000", "0x40400000"]}
-        data = codec.encode(f, {**values, **({"function": 1} if "function" in values else {}), **given})
+        values = record(chance(name), f.parameters, 40)
+        if f is of.field(position):
+            values |= {"function": 1, "initial_position": ["0x3F800000", "0x40000000", "0x40400000"]}
+        data = codec.encode(f, {**values, **({"function": 1} if f.selector else {}), **given})
         packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
     for frame, (_, _, wanted) in zip(trees(tmp_path, captures.serial(packets)), cases, strict=True):
         assert any(text == wanted for text in texts(frame)), (wanted, texts(frame))

@@ -77,9 +77,11 @@ def session(model: m.Model) -> Session | None:
 def _timestamps(model: m.Model) -> tuple[tuple[int, m.Field], ...]:
     """Returns the timestamps that streams try until a device accepts one: first those that are always valid, then a
     set's own, which older devices have, then those that all sets share."""
-    known = sorted(
-        reversed(validity.timestamps(model)), key=lambda t: (any(c.epoch for c in t.clocks), t.field.everywhere is not None)
-    )
+
+    def order(t: validity.Timestamp) -> tuple[bool, bool]:
+        return any(c.epoch for c in t.clocks), t.field.everywhere is not None
+
+    known = sorted(reversed(validity.timestamps(model)), key=order)
     return tuple((number, t.field) for t in known for number in ((0,) if t.field.everywhere else t.sets))
 
 

@@ -207,10 +207,11 @@ fn quotient(base: u16, decimation: u16) -> f32 {
     f32::from_bits((exponent << 23).wrapping_add(digits.wrapping_add(1) >> 1))
 }
 
-/// Compares rates: 333.33 Hz is the same as 1000 Hz / 3. To compare floats, a microcontroller may
-/// need a function of the compiler.
-const fn same(a: f32, b: f32) -> bool {
-    a.to_bits().abs_diff(b.to_bits()) < 1024 // a ten-thousandth
+/// Is the wanted rate this one, but for a ten-thousandth of it? 333.33 Hz is 1000 Hz / 3. To compare
+/// floats, a microcontroller may need a function of the compiler.
+const fn same(wanted: f32, rate: f32) -> bool {
+    let off = wanted.to_bits().abs_diff(rate.to_bits());
+    off.saturating_mul(10_000) <= wanted.to_bits() & 0x7F_FFFF | 0x80_0000
 }
 
 /// The reason why a stream was not started.
@@ -501,7 +502,7 @@ $($of)* {
             let nearest = quotient(base, decimation);
             let exists = match base {
                 0 => decimation == 1,
-                _ => same(wanted, nearest) || same(wanted, f32::INFINITY),
+                _ => same(wanted, nearest) || wanted.to_bits() == f32::INFINITY.to_bits(),
             };
             if !exists {
                 return Err(StreamError::NoSuchRate { descriptor, name, wanted, nearest, base });
@@ -570,7 +571,7 @@ $($of)* {
         let reply = self.ask::<crate::base::GetDeviceInfo>(&[])$($await)*?;
         let texts = [reply.device_info.model_number.as_str(), reply.device_info.serial_number.as_str()];
         let mut numbers = texts.iter().flatten().filter_map(|text| model_number(text));
-        let found = numbers.find_map(Profile::by_model);
+        let found = numbers.next().and_then(Profile::by_model);
         *self.model() = found;
         Ok(found)
     }

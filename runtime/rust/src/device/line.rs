@@ -32,7 +32,9 @@ const END: u32 = 1 << 30;
 pub struct Line {
     way: Way,
     place: String,
+    /// The baud rate in the address, and that of the port, which a lost one does not tell.
     baud: Option<u32>,
+    rate: Option<u32>,
     start: Instant,
     /// The time of a log's clock.
     log_ms: u32,
@@ -54,8 +56,8 @@ enum Way {
     Serial(Box<dyn SerialPort>),
     Tcp(TcpStream),
     Log(File),
-    /// It could not be opened again; the baud rate that it had.
-    Lost(Option<u32>),
+    /// It could not be opened again.
+    Lost,
 }
 
 impl<const N: usize, const Q: usize> Device<Line, N, Q> {
@@ -95,8 +97,9 @@ impl Line {
     pub fn open(place: &str) -> io::Result<Self> {
         let (way, baud) = Self::way(place)?;
         Ok(Self {
-            way,
             place: place.to_owned(),
+            rate: matches!(way, Way::Serial(_)).then(|| baud.unwrap_or(USUAL)),
+            way,
             baud,
             start: Instant::now(),
             log_ms: 0,
@@ -127,7 +130,7 @@ impl Line {
     /// Returns the error of the last attempt.
     pub fn reopen(&mut self, within: Duration) -> io::Result<()> {
         let (began, rate) = (Instant::now(), self.baud());
-        self.way = Way::Lost(rate); // it is closed first
+        self.way = Way::Lost; // it is closed first
         loop {
             let opened = Self::way(&self.place).and_then(|(way, _)| {
                 self.way = way;
@@ -137,7 +140,7 @@ impl Line {
                 }
             });
             let Err(error) = opened else { return Ok(()) };
-            self.way = Way::Lost(rate);
+            self.way = Way::Lost;
             if began.elapsed() >= within {
                 return Err(error);
             }
@@ -179,7 +182,7 @@ impl core::fmt::Debug for Line {
             Way::Serial(port) => write!(f, "Line(serial {:?})", port.name()),
             Way::Tcp(stream) => write!(f, "Line({stream:?})"),
             Way::Log(file) => write!(f, "Line({file:?})"),
-            Way::Lost(_) => f.write_str("Line(lost)"),
+            Way::Lost => f.write_str("Line(lost)"),
         }
     }
 }
@@ -257,7 +260,7 @@ impl Port for Line {
                 }
                 Ok(count)
             }
-            Way::Lost(_) => Err(closed()),
+            Way::Lost => Err(closed()),
         };
         recorded(&mut self.record, buffer, count?)
     }
@@ -269,7 +272,7 @@ impl Port for Line {
             Way::Serial(port) => port.write_all(bytes),
             Way::Tcp(stream) => stream.write_all(bytes),
             Way::Log(_) => Err(io::Error::new(ErrorKind::Unsupported, "a log accepts no commands")),
-            Way::Lost(_) => Err(closed()),
+            Way::Lost => Err(closed()),
         }
     }
 
@@ -288,14 +291,11 @@ impl Port for Line {
             Err(error) => return Err(error),
         }
         port.clear(serialport::ClearBuffer::Input)?; // received at the old rate
+        self.rate = Some(rate);
         Ok(true)
     }
 
     fn baud(&self) -> Option<u32> {
-        match &self.way {
-            Way::Serial(port) => port.baud_rate().ok(),
-            Way::Lost(rate) => *rate,
-            Way::Tcp(_) | Way::Log(_) => None,
-        }
+        self.rate
     }
 }
