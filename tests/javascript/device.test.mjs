@@ -292,6 +292,20 @@ test("bytes that are not commands are written until the port is lost", async () 
     await assert.rejects(device.write(Uint8Array.of(0xd3, 0)), { kind: "closed" });
 });
 
+test("a device that is closed while its port is opened again leaves no port open", async () => {
+    const ports = [];
+    const device = await Device.open(async () => {
+        await new Promise((done) => setTimeout(done, 5 * ports.length));
+        ports.push(fakePort());
+        return ports.at(-1);
+    });
+    const reopened = device.reopen();
+    await new Promise((done) => setTimeout(done, 1));
+    await device.close();
+    await assert.rejects(reopened, { kind: "closed" });
+    assert.ok(device.closed && ports.at(-1).closes === 1);
+});
+
 test("a setting that silences commands is asked for once", async () => {
     const echo = Uint8Array.of(0); // commands are not acknowledged
     const { device, port } = await opened((bytes) => {

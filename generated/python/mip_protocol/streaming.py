@@ -80,7 +80,9 @@ def steps(
     for stamp in (*_timestamps(session, number, rates, timestamp), None):
         wanted = {**decimations, **({stamp: fastest} if stamp else {})}
         # Fields that all sets share come first, because each packet of a long message repeats them.
-        kinds = sorted(wanted, key=lambda kind: not isinstance(kind.SETS, range))
+        # The timestamp is that of what follows it.
+        kinds = sorted(decimations, key=lambda kind: not isinstance(kind.SETS, range))
+        kinds = [stamp, *kinds] if stamp else kinds
         items = [session.item(kind.DESCRIPTOR, wanted[kind]) for kind in kinds]
         try:
             yield Step(session.format(number, items) if older is None else older.format(items))

@@ -51,7 +51,12 @@ export class Device {
     }
 
     async #begin() {
-        this.#port = await this.#open();
+        const port = await this.#open();
+        if (this.#closed) {
+            await port.close(); // nobody else would
+            throw new MipError("closed", "the device was closed");
+        }
+        this.#port = port;
         this.#settings.clear();
         this.#identified = this.#named;
         this.#incomplete = false;

@@ -94,8 +94,11 @@ def test_the_time_of_fields(model: str, clocks: tuple[str, str]) -> None:
         assert math.isnan(stamp.device) and stamp.clock == "" and stamp.arrived > 0
         with pytest.raises(ValueError, match="'utc' is not a clock; use one of gps, external"):
             device.stream({sensor.ScaledAccel: 100}, timestamp="utc")
-        assert device.stream({}, set=0x80) == {}  # clears the message format
+        device.stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 10})
         stored = mip_3dm.MessageFormat.read(0x80) if model == CV7 else mip_3dm.ImuMessageFormat.read()
+        first = shared.ReferenceTimestamp if model == CV7 else sensor.GpsTimestamp  # of what follows it
+        assert device.request(stored).descriptors[0].descriptor == first.DESCRIPTOR
+        assert device.stream({}, set=0x80) == {}  # clears the message format
         assert device.request(stored).descriptors == ()
 
 

@@ -424,9 +424,9 @@ $($of)* {
     /// arrives.
     ///
     /// The first timestamp that the device accepts is added, as often as the most frequent field,
-    /// unless `rates` has one; see [`Self::stream_only`]. If the device rejects the first command, the older commands for
-    /// the set are used instead. Commands without a reply are repeated. With the feature `open`, it
-    /// first asks which model the device is, unless that is known.
+    /// unless `rates` has one; see [`Self::stream_only`]. If the device rejects the first command,
+    /// the older commands for the set are used instead. Commands without a reply are repeated. With
+    /// the feature `open`, it first asks which model the device is, unless that is known.
     ///
     /// # Errors
     ///
@@ -512,7 +512,8 @@ $($of)* {
         let mut stamps = timestamps(set, rates).filter(|_| timed);
         let number = loop {
             let stamp = stamps.next(); // `None` at last
-            let encoded = format(set, older, stamp, rates, base, &mut memory);
+            let encoded =
+                format(set, older, stamp, rates, base, &mut memory);
             let (number, command) = encoded.map_err(|e| DeviceError::Request(e.into()))?;
             let done = self.exchange(&command, ATTEMPTS)$($await)*.map(|_| ());
             if stamp.is_none() || !is_refused(&done) {
