@@ -316,27 +316,21 @@ fn nobody_answers<E>() -> DeviceError<E> {
     CommandError::of::<crate::base::Ping>(Reason::TimedOut).into()
 }
 
-/// Returns the descriptors of the timestamps to try; none if there is one, or nothing to send.
-fn timestamps(set: DescriptorSet, rates: &[Rate]) -> impl Iterator<Item = u8> {
-    let known = TIMESTAMPS.iter().filter(move |(own, _)| [0, set.0].contains(own)).map(|x| x.1);
-    let given = known.clone().any(|stamp| rates.iter().any(|rate| rate.descriptor == stamp));
-    let none = given || rates.is_empty();
-    known.filter(move |_| !none)
+/// Does a stream of these rates need a timestamp?
+fn has_none(set: DescriptorSet, rates: &[Rate]) -> bool {
+    let is_stamp = |of, rate: &Rate| TIMESTAMPS.contains(&(of, rate.descriptor));
+    !rates.is_empty() && !rates.iter().any(|rate| is_stamp(0, rate) || is_stamp(set.0, rate))
 }
 
 /// Returns the number of a set's stream, and the command that writes its message format.
 fn format<'m>(
     set: DescriptorSet,
     older: bool,
-    stamp: Option<u8>,
+    stamp: Option<Rate>,
     rates: &[Rate],
     base: u16,
     memory: &'m mut [u8; MAX_FIELD_DATA],
 ) -> Result<(u8, Bytes<'m>), EncodeError> {
-    let items =
-        rates.iter().map(|rate| types::DescriptorRate::new(rate.descriptor, rate.decimation(base)));
-    let fastest = items.clone().map(|x| x.decimation).min().unwrap_or(1);
-    let stamp = stamp.map(|descriptor| types::DescriptorRate::new(descriptor, fastest));
     let count = (rates.len() as u8).wrapping_add(u8::from(stamp.is_some())); // more do not fit
     let mut writer = Writer::of_field(memory);
     #[rustfmt::skip] // a line for each
@@ -346,7 +340,8 @@ fn format<'m>(
         0x82 if older => (kind::<crate::mip_3dm::FilterMessageFormat>(), 3, writer.put(&[1, count])),
         _ => (kind::<crate::mip_3dm::MessageFormat>(), set.0, writer.put(&[1, set.0, count])),
     };
-    for item in stamp.into_iter().chain(items) {
+    for rate in stamp.iter().chain(rates) {
+        let item = types::DescriptorRate::new(rate.descriptor, rate.decimation(base));
         done = done.and_then(|()| writer.write(&item));
     }
     let size = writer.finish(done, kind.name())?;
@@ -509,9 +504,11 @@ $($of)* {
             }
         }
         let mut memory = [0; MAX_FIELD_DATA];
-        let mut stamps = timestamps(set, rates).filter(|_| timed);
+        let wanted = if timed && has_none(set, rates) { &TIMESTAMPS[..] } else { &[] };
+        let mut stamps = wanted.iter().filter(|(own, _)| [0, set.0].contains(own));
+        let fastest = rates.iter().map(|rate| rate.hz.to_bits()).max().map_or(0.0, f32::from_bits);
         let number = loop {
-            let stamp = stamps.next(); // `None` at last
+            let stamp = stamps.next().map(|x| Rate::of_descriptor(x.1, fastest)); // `None` at last
             let encoded =
                 format(set, older, stamp, rates, base, &mut memory);
             let (number, command) = encoded.map_err(|e| DeviceError::Request(e.into()))?;

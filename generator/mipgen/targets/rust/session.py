@@ -45,7 +45,6 @@ class Session:
     model_numbers: tuple[str, ...]  # members of its response
     descriptors: tuple[tuple[Sent, str], ...]  # the commands that list what a device has, and their numbers in a list
     item: str  # of a message format
-    decimation: str  # its member
     start: Start
     older: tuple[tuple[int, Start], ...]  # by set
     timestamps: tuple[tuple[int, int], ...]  # set, 0 for all, and descriptor
@@ -88,7 +87,6 @@ def compose(model: m.Model) -> Session | None:
         model_numbers=tuple(".".join(map(names.member, x.split("."))) for x in commands.model_numbers),
         descriptors=tuple((_sent(f), f"0x{f.set:02X}{f.descriptor:02X}") for f in commands.descriptors),
         item=names.path(item, ""),
-        decimation=names.member(item.parameters[1].name),
         start=start(commands.base_rate, commands.format, "set.0", "set.0"),
         older=tuple((x.set, start(x.base_rate, x.format, str(x.stream))) for x in commands.older),
         timestamps=tuple((number, f.descriptor) for number, f in commands.timestamps),
