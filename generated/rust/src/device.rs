@@ -500,15 +500,21 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(response::<C>(self.exchange(command, 1)?)?)
     }
 
-    /// Sends a command, and does not wait for a reply; one that arrives is data. This is for commands
-    /// that the device does not acknowledge because of a setting of another command, which their
-    /// documentation names: [`Device::request`] would wait for each in vain.
+    /// Sends a command, and does not wait for a reply; one that arrives is data, even during the next
+    /// request, which is preceded by a barrier for that. This is for commands that the device does
+    /// not acknowledge because of a setting of another command, which their documentation names:
+    /// [`Device::request`] would wait for each in vain.
     ///
     /// # Errors
     ///
     /// The command cannot be sent, or the port fails.
     pub fn send<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
-        self.exchange(&Silent(command), 1).map(drop)
+        if command.expects_reply() {
+            self.core.client.ignore_reply();
+        }
+        let now_ms = self.port.now_ms();
+        let (_, packet) = self.core.client.send_any(&Silent(command), now_ms)?;
+        self.port.write(packet.bytes()).map_err(DeviceError::Port)
     }
 
     /// Sends a command, and returns the undecoded response; again, up to this number of times, if

@@ -865,6 +865,14 @@ impl<const N: usize> Client<N> {
         table.free(|_| true);
     }
 
+    /// Keeps a reply that is not waited for from answering a later command.
+    pub(crate) fn ignore_reply(&mut self) {
+        let table = self.table_mut();
+        if table.missed == 0 || table.behind == table.missed.wrapping_add(1) {
+            miss(&mut table.missed); // otherwise, a barrier is due anyway
+        }
+    }
+
     /// Is every packet data, because no reply is expected?
     pub(crate) fn is_idle(&self) -> bool {
         self.table().behind == 0 && self.pending() == 0

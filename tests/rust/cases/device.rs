@@ -157,13 +157,17 @@ fn a_response_and_the_data_around_it() {
 #[test]
 fn a_command_that_is_only_sent() {
     let reply = ack(1, AckCode::OK);
-    let mut device = device([vec![reply.clone()], vec![], vec![ack(1, AckCode::OK)]]);
+    let refused = vec![ack(1, AckCode(3))];
+    let mut device = device([vec![reply.clone()], vec![], vec![reply.clone()], refused]);
     assert_eq!(device.send(&tools::Ping), Ok(()));
     took(&mut device, 0);
     assert_eq!(next(&mut device), Some(reply)); // data
+    device.port_mut().ignores = true; // a late reply is not read before the next command is sent
     assert_eq!(device.send(&tools::Ping), Ok(()));
-    assert_eq!(device.request(&tools::Ping), Ok(())); // without a barrier: no reply is missing
-    assert_eq!((device.port().sent.len(), device.port().barriers), (3, 0));
+    assert_eq!(device.send(&tools::Ping), Ok(()));
+    assert!(device.request(&tools::Ping).is_err()); // by its own reply
+    assert_eq!(next(&mut device), Some(ack(1, AckCode::OK))); // the late one is data
+    assert_eq!((device.port().sent.len(), device.port().barriers), (4, 1));
 }
 
 /// The time that has passed since the last call.

@@ -140,7 +140,11 @@ where
     ///
     /// The command cannot be sent, or the port fails.
     pub async fn send<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
-        self.exchange(&Silent(command), 1).await.map(drop)
+        if command.expects_reply() {
+            self.core.client.ignore_reply();
+        }
+        let (_, packet) = self.core.client.send_any(&Silent(command), 0)?;
+        write(&mut self.port, packet.bytes()).await
     }
 
     /// Sends a command, and returns the undecoded response; again, up to this number of times, if
