@@ -192,6 +192,14 @@ int main(int argc, char **argv) {
     while (line.port.read(line.port.user, &byte, 1, &count)) {
     }
     CHECK(count == 0);
+    /* A line that could not be opened again stays lost until it is. */
+    line.name = "/nowhere";
+    line.is_tcp = false;
+    CHECK(!mip_line_reopen(&line, 0) && line.error != NULL);
+    CHECK(!line.port.read(line.port.user, &byte, 1, &count) && count == 0);
+    CHECK(!line.port.write(line.port.user, (const uint8_t *)"x", 1));
+    line.name = argv[1];
+    CHECK(mip_line_reopen(&line, 0) && line.port.read(line.port.user, &byte, 1, &count) && count == 0);
     mip_line_close(&line);
     return 0;
 }

@@ -41,6 +41,9 @@ static bool write_serial(void *user, const uint8_t *bytes, size_t size) {
 /** Waits until a socket can be read or written; returns a negative number if it is lost. */
 static int wait_for(SOCKET socket, short event, int wait) {
     WSAPOLLFD one;
+    if (socket == INVALID_SOCKET) { /* could not be opened again; WSAPoll() may ignore it */
+        return -1;
+    }
     one.fd = socket;
     one.events = event;
     one.revents = 0;

@@ -20,6 +20,9 @@
 
 static bool read_line(void *user, uint8_t *bytes, size_t size, size_t *count) {
     struct mip_line *line = (struct mip_line *)user;
+    if (line->handle < 0) { /* could not be opened again; poll() would ignore it */
+        return false;
+    }
     struct pollfd wait = {(int)line->handle, POLLIN, 0};
     const int ready = poll(&wait, 1, MIP_LINE_WAIT);
     if (ready <= 0) {
@@ -36,6 +39,9 @@ static bool read_line(void *user, uint8_t *bytes, size_t size, size_t *count) {
 
 static bool write_line(void *user, const uint8_t *bytes, size_t size) {
     const struct mip_line *line = (const struct mip_line *)user;
+    if (line->handle < 0) {
+        return false;
+    }
     while (size > 0) {
         struct pollfd wait = {(int)line->handle, POLLOUT, 0};
         const int ready = poll(&wait, 1, MIP_LINE_PATIENCE);
