@@ -234,6 +234,7 @@ static bool has(uint32_t base, float wanted, unsigned decimation, float nearest)
     rate.wanted = wanted;
     const struct mip_result result = mip_device_stream(&device, 0x80, 1, &rate);
     CHECK(memcmp(&rate.nearest, &nearest, sizeof(nearest)) == 0 && rate.descriptor == 0x04);
+    CHECK(mip_rate_fits(&rate) == (result.outcome != MIP_NO_SUCH_RATE));
     if (result.outcome == MIP_NO_SUCH_RATE) {
         CHECK(fake.count == 1); /* nothing was changed */
         return false;
@@ -249,16 +250,17 @@ static void streams(void) {
     CHECK(has(1000, 1000, 1, 1000) && has(1000, 100, 10, 100) && has(1000, 62.5F, 16, 62.5F) && has(500, 0, 1, 500));
     CHECK(has(1000, 0.1F, 10000, 0.1F) && has(1000, 1000.0F / 3, 3, 1000.0F / 3) && has(0, 0, 1, 0));
     CHECK(!has(1000, 300, 0, 1000.0F / 3) && !has(1000, 2000, 0, 1000) && !has(1000, 90, 0, 1000.0F / 11));
-    CHECK(!has(0, 4, 0, 0) && !has(1000, -1, 0, 1000.0F / 65535) && !has(1000, 0.001F, 0, 1000.0F / 65535));
+    CHECK(!has(1000, -1, 0, 1000.0F / 65535) && !has(1000, 0.001F, 0, 1000.0F / 65535));
+    CHECK(has(0, 4, 1, 0) && !has(0, -1, 0, 0)); /* data is sent as it arrives */
     for (unsigned by = 1; by <= 65535; by += 1 + by / 50) { /* the rate reported as the nearest is available */
         CHECK(has(1000, 1000.0F / (float)by, by, 1000.0F / (float)by));
     }
 
     /* Several: one that is not available is reported, and nothing is changed; with the nearest, it works. */
-    struct mip_rate rates[84] = {{0xD3, 100, 0}, {0x04, 100, 0}, {0x05, 70, 0}};
+    struct mip_rate rates[84] = {{0xD3, 333.33F, 0}, {0x04, 0, 0}, {0x05, 70, 0}};
     start(115200);
     CHECK(mip_device_stream(&device, 0x80, 3, rates).outcome == MIP_NO_SUCH_RATE && fake.count == 1);
-    CHECK(rates[0].nearest >= rates[0].wanted && rates[1].nearest >= rates[1].wanted);
+    CHECK(mip_rate_fits(&rates[0]) && mip_rate_fits(&rates[1]) && !mip_rate_fits(&rates[2]));
     CHECK(rates[2].nearest > 71 && rates[2].nearest < 72);
     rates[2].wanted = rates[2].nearest;
     CHECK(mip_device_stream(&device, 0x80, 3, rates).outcome == MIP_ACKNOWLEDGED);

@@ -55,6 +55,16 @@ struct mip_rate {
     float nearest;
 };
 
+/** After mip_device_stream: does the device support the wanted rate? It does if that differs from
+ * the nearest one by at most a ten-thousandth (333.33 Hz is 1000 Hz / 3), is 0, or if the field is
+ * sent as its data arrives. */
+static inline bool mip_rate_fits(const struct mip_rate *rate) {
+    const float tolerance = rate->wanted * 1e-4f;
+    const float more = rate->nearest - rate->wanted;
+    return rate->wanted >= 0 &&
+           (rate->wanted <= 0 || rate->nearest <= 0 || (more <= tolerance && -more <= tolerance));
+}
+
 /**
  * Starts the data of a set: reads the base rate of the set, writes which fields are sent and how
  * often, in this order, enables the stream, and ends the idle state. List MIP_TIMESTAMP first, as
@@ -62,8 +72,9 @@ struct mip_rate {
  * command, the older commands for the set are used instead.
  *
  * A device divides its base rate by whole numbers. If it does not support a wanted rate, nothing is
- * changed, and the outcome is MIP_NO_SUCH_RATE: look for the rates whose `wanted` and `nearest`
- * differ. At most 83 fields fit; with more, the error is MIP_ERROR_COUNT.
+ * changed, and the outcome is MIP_NO_SUCH_RATE: mip_rate_fits returns false for such rates, and
+ * `nearest` is what to use instead. If the base rate is 0, data is sent as it arrives, whatever the
+ * wanted rate. At most 83 fields fit; with more, the error is MIP_ERROR_COUNT.
  * Commands without a reply are repeated.
  */
 MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,

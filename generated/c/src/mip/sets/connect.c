@@ -168,14 +168,12 @@ static struct mip_result divide(struct mip_device *device, void *shared) {
     (void)device;
     for (size_t i = 0; i < plan->count; i++) {
         struct mip_rate *rate = &plan->rates[i];
-        const float tolerance = rate->wanted * 1e-4f; /* 333.33 Hz is 1000 Hz / 3 */
         const bool fastest = rate->wanted <= 0 && rate->wanted >= 0;
         const uint16_t by = base == 0 || fastest ? 1 : decimation(base, rate->wanted);
         plan->fields[i].descriptor = rate->descriptor;
         plan->fields[i].decimation = by;
         rate->nearest = (float)base / (float)by;
-        const float more = rate->nearest - rate->wanted;
-        if (!fastest && !(more <= tolerance && -more <= tolerance)) {
+        if (!mip_rate_fits(rate)) {
             result.outcome = MIP_NO_SUCH_RATE;
         }
     }
