@@ -393,7 +393,12 @@ static void deferred(void) {
 /* Replies that come twice: what waits is taken in before a command is sent, so that it is data. */
 static bool line_waits(void *user) {
     const struct line *l = (const struct line *)user;
-    return l->next < l->count;
+    return l->next < l->count && l->clock - l->events[l->next].at < UINT32_C(0x80000000);
+}
+
+static bool always_waits(void *user) {
+    (void)user;
+    return true;
 }
 
 static void twice(void) {
@@ -401,10 +406,22 @@ static void twice(void) {
     device.waits = line_waits;
     memset(later, 0, sizeof(later));
     COMES(0, 0x01, PONG);
-    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK));
-    CHECK(seen.count == 1 && later[0].result.outcome == MIP_WAITING);
+    COMES(10, 0x01, "\x04\xF1\x01\x03");
+    CHECK(is(mip_call_tools_ping(&device), MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK) && seen.count == 1);
+
+    /* A deferred call does not read, because mip_defer has locked the device. */
     COMES(0, 0x01, PONG);
+    const unsigned reads = line.reads;
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK) && line.reads == reads);
     CHECK(mip_device_poll(&device) && is(later[0].result, MIP_ACKNOWLEDGED, 0, MIP_OK));
+
+    /* Bytes that arrive without end do not keep a command from being sent. */
+    line.endless = true;
+    device.waits = always_waits;
+    device.client.timeout = 50;
+    line.takes = 10;
+    const unsigned writes = line.writes;
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.writes == writes + 1);
 }
 
 static void outcome_names(void) {

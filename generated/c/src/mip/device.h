@@ -135,8 +135,9 @@ struct mip_device {
     uint32_t heard;
     /** Returns whether bytes have arrived, so that `read` would not wait; its argument is the
      * port's `user`. NULL unless your program sets it, for a line where replies can come twice or
-     * out of order, such as UDP: each command is then preceded by what has arrived, as data. Serial
-     * ports and TCP keep the order. */
+     * out of order, such as UDP: before a command is sent, up to 64 reads then handle what has
+     * arrived, as data. A deferred command reads nothing: poll the device before it. Serial ports
+     * and TCP keep the order. */
     bool (*waits)(void *user);
     /** Waits by the port's `read`: mip_device_wait, or NULL if there is no `read`. */
     void (*wait)(struct mip_device *device, uint8_t *bytes, struct mip_request *request);

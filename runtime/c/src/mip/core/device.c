@@ -195,9 +195,17 @@ MIP_INLINE void take_in(struct mip_device *device, uint8_t *bytes) {
     }
 }
 
+/** The most reads before a command, because bytes may arrive as fast as they are handled. */
+#define READS_BEFORE 64
+
 void mip_device_wait(struct mip_device *device, uint8_t *bytes, struct mip_request *request) {
     if (request == NULL) {
-        while (device->waits != NULL && device->waits(device->port.user) && poll(device, bytes)) {
+        mip_device_lock(device, true);
+        /* mip_defer keeps the device locked, and the port is never read then. */
+        const bool reads = device->waits != NULL && device->deferred == NULL;
+        mip_device_lock(device, false);
+        for (uint8_t left = reads ? READS_BEFORE : 0;
+             left > 0 && device->waits(device->port.user) && poll(device, bytes); left--) {
         }
         return;
     }
