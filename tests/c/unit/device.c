@@ -684,6 +684,17 @@ static void backlog(void) {
     device.client.timeout = 50;
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 5000 + 50 + MIP_BACKLOG);
 
+    /* even if that is the longest: it does not seem to have passed at once. */
+    fresh(NULL, 0);
+    device.client.timeout = UINT32_MAX;
+    CHECK(is(mip_call_tools_ping(mip_defer(&device, &later[0])), MIP_WAITING, 0, MIP_OK));
+    line.endless = true;
+    CHECK(mip_device_poll(&device) && later[0].result.outcome == MIP_WAITING);
+    line.clock += MIP_MAX_TIMEOUT + MIP_BACKLOG - 1;
+    CHECK(mip_device_poll(&device) && later[0].result.outcome == MIP_WAITING);
+    line.clock += 1;
+    CHECK(mip_device_poll(&device) && later[0].result.outcome == MIP_TIMED_OUT);
+
     /* or for ever. */
     fresh(NULL, 0);
     line.endless = true;

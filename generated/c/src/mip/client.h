@@ -28,8 +28,9 @@ extern "C" {
 
 /** Milliseconds that a device may take to reply, unless the command has its own limit. */
 #define MIP_DEFAULT_TIMEOUT 1000
-/** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
-#define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
+/** The longest time-out, 24 days: half of the range of the time, which may wrap around, less 20
+ * hours. A longer one is shortened. */
+#define MIP_MAX_TIMEOUT UINT32_C(2073600000)
 /** The bytes of the longest barrier: 63 commands. */
 #define MIP_MAX_BARRIER (6 + 2 * 63)
 /** The most bytes that mip_client_start begins: a barrier and a packet. */

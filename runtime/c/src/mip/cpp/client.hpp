@@ -141,7 +141,7 @@ class client {
         }
     }
 
-    /** Sets how many milliseconds the device may take to reply. */
+    /** Sets the reply time-out in milliseconds: at most MIP_MAX_TIMEOUT, 24 days. */
     void timeout(std::uint32_t milliseconds) {
         client_.timeout = milliseconds;
     }

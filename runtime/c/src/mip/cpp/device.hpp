@@ -355,7 +355,7 @@ template <std::size_t Handlers = 8> class device {
         }
     }
 
-    /** Sets how many milliseconds the device may take to reply. */
+    /** Sets the reply time-out in milliseconds: at most MIP_MAX_TIMEOUT, 24 days. */
     void timeout(std::uint32_t milliseconds) {
         device_.client.timeout = milliseconds;
     }
