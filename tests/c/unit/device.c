@@ -261,6 +261,27 @@ static void late_answers(void) {
     CHECK(line.reads == reads);
 }
 
+/* A device may acknowledge a command that nobody waits for: that does not answer the next one. */
+static void told_acknowledges(void) {
+    fresh(all, 1);
+    for (unsigned i = 1; i <= 2; i++) { /* no barrier precedes them */
+        CHECK(is(mip_device_tell(&device, &mip_tools_ping_command, NULL), MIP_SENT, 0, MIP_OK) && line.writes == i);
+    }
+    COMES(0, 0x01, PONG);
+    COMES(0, 0x01, PONG);
+    COMES(0, 0x01, PONG PONG); /* the barrier, which is the same after any number of them */
+    COMES(0, 0x01, "\x04\xF1\x01\x03");
+    CHECK(is(mip_call_tools_ping(&device), MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK));
+    CHECK(line.writes == 4 && seen.count == 2);
+
+    /* None follows a command that is never answered. */
+    struct mip_tools_set_time command;
+    mip_tools_set_time_apply(&command, MIP_MODE_FAST, 5);
+    CHECK(is(mip_device_tell(&device, &mip_tools_set_time_command, &command), MIP_SENT, 0, MIP_OK));
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.writes == 6);
+}
+
 static void closed(void) {
     fresh(all, 1);
     line.gone = true;
@@ -707,6 +728,7 @@ int main(void) {
     refusals();
     no_answers();
     late_answers();
+    told_acknowledges();
     closed();
     busy();
     deferred();

@@ -309,9 +309,10 @@ MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_codec *codec, void *response);
 
 /**
- * Sends a command, and does not wait for a reply; one that arrives is data. The outcome is
- * MIP_SENT. This is for commands that the device does not acknowledge because of a setting of
- * another command, which their documentation names: mip_device_call would wait for each in vain.
+ * Sends a command, and does not wait for a reply; one that arrives is data, even during the next
+ * call, which is preceded by a barrier for that. The outcome is MIP_SENT. This is for commands that
+ * the device does not acknowledge because of a setting of another command, which their
+ * documentation names: mip_device_call would wait for each in vain.
  */
 MIP_API struct mip_result mip_device_tell(struct mip_device *device,
                                           const struct mip_command *command, const void *value);

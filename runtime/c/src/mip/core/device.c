@@ -216,6 +216,9 @@ void mip_device_wait(struct mip_device *device, uint8_t *bytes, struct mip_reque
     }
 }
 
+/** `asked` of a request that is not waited for, although the device may reply. */
+static const struct mip_response ignored = {NULL, 0, 0, MIP_NOT_ZERO, false};
+
 /** Sends a command, whose data is already in the packet, and waits for its reply. */
 static struct mip_result carry_out(struct mip_device *device, struct mip_request *request,
                                    uint8_t *bytes, size_t size) {
@@ -238,10 +241,15 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
         bytes[4] = (uint8_t)(size + 2);
         bytes[5] = exchange->descriptor;
         size = mip_packet_seal(bytes, exchange->descriptor_set, size + 2);
-        if (guard(device) && write(device, bytes, size)) {
+        /* It needs no barrier, because no reply can be taken for its own, but the next one does. */
+        const bool ignores = request->asked == &ignored;
+        const bool due = device->client.missed != device->client.behind;
+        const bool sent = (ignores || guard(device)) && write(device, bytes, size);
+        if (sent) {
             mip_client_wait(&device->client, request, device->port.now(device->port.user));
-        } else {
-            mip_client_miss(&device->client); /* a part may have been sent */
+        }
+        if (!sent || (ignores && !due)) { /* a part may have been sent */
+            mip_client_miss(&device->client);
         }
     }
     mip_device_lock(device, false);
@@ -281,15 +289,19 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
 
 struct mip_result mip_device_tell(struct mip_device *device, const struct mip_command *command,
                                   const void *value) {
-    static const struct mip_response none = {NULL, 0, 0, MIP_NOT_ZERO, false};
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_builder builder;
     struct mip_request request;
     request_of(&request, command->exchange, NULL, NULL);
-    request.asked = &none;
     take_in(device, bytes);
     mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
     request.result.error = (uint8_t)mip_command_encode(command, value, &builder);
+    if (request.result.error == MIP_OK) {
+        request.asked = mip_requested(command->exchange, bytes + MIP_HEADER_SIZE);
+        if (request.asked == NULL || request.asked->descriptor != 0) { /* not one without a reply */
+            request.asked = &ignored;
+        }
+    }
     return carry_out(device, &request, bytes, builder.length - DATA);
 }
 
