@@ -182,6 +182,15 @@ int main(void) {
     CHECK(mag.reason == MIP_REJECTION_ABSENT && mag.index == 1 && mag.descriptor == 0x06);
     CHECK(mip_stream_rejected(0x80, 1, rates, &ar).reason == MIP_REJECTION_UNKNOWN);
     CHECK(mip_stream_rejected(0x91, 0, rates, &ar).reason == MIP_REJECTION_ABSENT);
+    /* One that has only the older commands: by its profile, by what it lists, and for a set that it lacks. */
+    static const uint16_t listed_by_gx5[] = {0x0C06, 0x0C08, 0x0C11, 0x8004, 0x8005};
+    const struct mip_known_device gx5[] = {{&mip_profile_gx5_15, NULL, 0}, {&mip_profile_gx5_15, listed_by_gx5, 5}};
+    for (int i = 0; i < 2; i++) {
+        const struct mip_rejected absent = mip_stream_rejected(0x80, 2, rates, &gx5[i]);
+        CHECK(absent.reason == MIP_REJECTION_ABSENT && absent.index == 1 && absent.descriptor == 0x06);
+        CHECK(mip_stream_rejected(0x80, 1, rates, &gx5[i]).reason == MIP_REJECTION_UNKNOWN);
+    }
+    CHECK(mip_stream_rejected(0x81, 1, rates, &gx5[1]).reason == MIP_REJECTION_ABSENT);
     static struct mip_rate many[MIP_MAX_FIELD_DATA];
     CHECK(mip_stream_rejected(0x91, MIP_MAX_FIELD_DATA, many, &ar).reason == MIP_REJECTION_UNKNOWN); /* not sent */
     static const char *const reasons[] = {"", "absent", "decimation", "too_many", "undefined", "unlisted",

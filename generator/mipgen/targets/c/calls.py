@@ -161,6 +161,7 @@ class Rates:
     response: str
     rate: str
     format: str
+    command: str  # the structure of the latter
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +178,6 @@ class Session:
     model_numbers: list[str]
     rates: Rates
     older: list[Rates]  # of older devices, each for one set
-    format: str  # the structure of the command that writes which fields are sent
     item: str  # that of a field and its decimation
     descriptor: str
     decimation: str
@@ -195,7 +195,8 @@ def session_calls(model: m.Model) -> Session | None:
 
     def rates(of: lower.Session | lower.Older) -> Rates:
         rate = of.base_rate
-        return Rates(of, call(rate.command), field_name(rate.response), member(rate.parameter.name), call(of.format))
+        names = call(rate.command), field_name(rate.response), member(rate.parameter.name)
+        return Rates(of, *names, call(of.format), field_name(of.format))
 
     (identity,) = model.responses(start.identify)
     item = start.entries.item.struct
@@ -212,7 +213,6 @@ def session_calls(model: m.Model) -> Session | None:
         model_numbers=[".".join(map(member, path.split("."))) for path in start.model_numbers],
         rates=rates(start),
         older=[rates(x) for x in start.older],
-        format=field_name(start.format),
         item=type_name(item),
         descriptor=member(descriptor.name),
         decimation=member(decimation.name),

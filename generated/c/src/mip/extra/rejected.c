@@ -225,21 +225,44 @@ struct mip_rejected mip_find_rejected(const struct mip_field *command,
     return nothing;
 }
 
+/** Adds the command by which mip_device_stream writes which fields are sent. */
+static mip_error add_format(struct mip_builder *packet, uint8_t descriptor_set, uint8_t count,
+                            const struct mip_descriptor_rate *fields,
+                            const struct mip_known_device *known) {
+    const bool lacking = sends(known, 0x0C, 0x0F) == MIP_SUPPORT_NO;
+    if (lacking && descriptor_set == 0x80 && has(known, 0x0C, 0x08)) {
+        struct mip_3dm_imu_message_format older;
+        mip_3dm_imu_message_format_write(&older, count, fields);
+        return mip_3dm_imu_message_format_encode(&older, packet);
+    }
+    if (lacking && descriptor_set == 0x81 && has(known, 0x0C, 0x09)) {
+        struct mip_3dm_gnss_message_format older;
+        mip_3dm_gnss_message_format_write(&older, count, fields);
+        return mip_3dm_gnss_message_format_encode(&older, packet);
+    }
+    if (lacking && descriptor_set == 0x82 && has(known, 0x0C, 0x0A)) {
+        struct mip_3dm_filter_message_format older;
+        mip_3dm_filter_message_format_write(&older, count, fields);
+        return mip_3dm_filter_message_format_encode(&older, packet);
+    }
+    struct mip_3dm_message_format command;
+    mip_3dm_message_format_write(&command, descriptor_set, count, fields);
+    return mip_3dm_message_format_encode(&command, packet);
+}
+
 struct mip_rejected mip_stream_rejected(uint8_t descriptor_set, uint8_t count,
                                         const struct mip_rate *rates,
                                         const struct mip_known_device *known) {
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_builder packet;
     struct mip_field field = {NULL, 0, 0, 0}; /* of no command, if there are too many rates */
-    struct mip_3dm_message_format command;
     struct mip_descriptor_rate fields[83];
     for (size_t i = 0; i < count && i < sizeof(fields) / sizeof(fields[0]); i++) {
         fields[i].descriptor = rates[i].descriptor;
         fields[i].decimation = 1;
     }
-    mip_3dm_message_format_write(&command, descriptor_set, count, fields);
     if (mip_builder_start(&packet, bytes, sizeof(bytes), 0x0C) == MIP_OK &&
-        mip_3dm_message_format_encode(&command, &packet) == MIP_OK) {
+        add_format(&packet, descriptor_set, count, fields, known) == MIP_OK) {
         const struct mip_packet sent = mip_builder_finish(&packet);
         struct mip_walk walk = mip_walk_packet(&sent);
         (void)mip_walk_next(&walk, &field);
