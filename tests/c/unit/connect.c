@@ -17,7 +17,7 @@ struct fake {
     uint32_t fastest;
     unsigned reads_left, writes_left;
     /* What it was sent: commands, rates tried, and the last format. */
-    unsigned commands[300], count, rates;
+    unsigned commands[300], count, rates, barriers;
     uint32_t tried[20];
     uint8_t format[MIP_MAX_PAYLOAD];
     size_t format_size;
@@ -66,6 +66,7 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
         return false;
     }
     CHECK(f->count < 300 && size >= 8);
+    f->barriers += command == 0x0101 && bytes[3] > 2;
     if (command == 0x0101 && bytes[3] > 2 && f->rate == f->baud) { /* a barrier */
         CHECK(mip_builder_start(&answer, f->out + f->out_size, MIP_MAX_PACKET, 0x01) == MIP_OK);
         for (unsigned left = bytes[3]; left > 0; left -= 2) {
@@ -209,6 +210,17 @@ static void patient(void) {
     start(115200);
     fake.refuse = 0x0103;
     CHECK(found(fake_set_baud) == MIP_REFUSED);
+
+    /* No barrier precedes a ping, even the next time; one precedes the command after lost replies. */
+    start(1);
+    for (unsigned i = 1; i <= 2; i++) {
+        CHECK(found(fake_set_baud) == MIP_TIMED_OUT && fake.count == 2 * fake.rates && fake.barriers == 0);
+        fake.rates = fake.count = 0;
+    }
+    fake.baud = 9600;
+    CHECK(found(fake_set_baud) == MIP_ACKNOWLEDGED && fake.rate == 9600 && fake.barriers == 1);
+    CHECK(device.client.missed == 0 && device.client.behind == 0);
+    CHECK(found(NULL) == MIP_ACKNOWLEDGED && fake.barriers == 1);
 
     /* A silent port, a port that cannot write, and one that is gone: no further rate is tried. */
     start(1);

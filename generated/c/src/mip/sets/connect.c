@@ -15,21 +15,32 @@ static void hear(void *user, const struct mip_device *device, bool ends) {
     *(bool *)user = true;
 }
 
-/** Pings at the current rate until any packet arrives; then sets `*heard`. */
+/** Pings at the current rate until any packet arrives; then sets `*heard`. Since any packet will
+ * do, barriers do not precede the pings: at a low rate, the reply to a long one takes longer than
+ * LISTEN. One precedes the command after them, if any reply may still arrive. */
 static struct mip_result ping(struct mip_device *device, bool *heard) {
     const struct mip_observer listening = {hear, heard};
     const struct mip_observer *const observer = device->observer;
-    const uint32_t timeout = device->client.timeout;
+    struct mip_client *const client = &device->client;
+    const uint32_t timeout = client->timeout;
     struct mip_retry retry = {PINGS, 1u << MIP_TIMED_OUT};
     struct mip_result result;
+    if (client->behind != 0) {
+        mip_client_miss(client); /* the next barrier differs from the one that was sent */
+    }
+    uint8_t missed = client->missed;
     mip_parser_init(&device->parser); /* bytes of another rate */
     device->observer = &listening;
-    device->client.timeout = LISTEN;
+    client->timeout = LISTEN;
     do {
+        client->missed = 0;
+        client->behind = 0;
         result = mip_call_base_ping(device);
+        missed = client->missed > missed ? client->missed : missed;
     } while (!*heard && mip_again(&retry, result));
+    client->missed = missed;
     device->observer = observer;
-    device->client.timeout = timeout;
+    client->timeout = timeout;
     return result;
 }
 
