@@ -393,6 +393,17 @@ def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("keep", [True, False])
+def test_an_error_keeps_only_recordings(keep: bool, tmp_path: Path) -> None:
+    path = tmp_path / "log.bin"
+    for data in (b"", b"all"):
+        with pytest.raises(Failure, match="timed out"), outputs.whole(str(path), keep=keep) as file:
+            file.write(data)
+            raise Failure("timed out", 4)
+        kept = [path] if keep and data else []
+        assert list(tmp_path.iterdir()) == kept and all(each.read_bytes() == data for each in kept)
+
+
+@pytest.mark.parametrize("keep", [True, False])
 def test_an_interrupt_at_any_moment(keep: bool, tmp_path: Path) -> None:
     """Each time in another line of the code that opens, closes and names the file: it is complete or absent."""
     path = tmp_path / "log.bin"

@@ -236,6 +236,34 @@ def test_a_silent_port(words: tuple[str, ...], monkeypatch: pytest.MonkeyPatch) 
     assert error == f"mip {words[0]}: no data for 0.2 s: {cause}mip {words[0]}: {where}: no data for 3 s: {cause}"
 
 
+@pytest.mark.parametrize("name", ["record", "stream"])
+@pytest.mark.parametrize("closes", [True, False])
+def test_what_came_before_the_end_is_kept(name: str, closes: bool, tmp_path: Path) -> None:
+    """The port closes, or the device falls silent."""
+    data, output = log(0.5), tmp_path / "output"
+    server = socket.create_server(("127.0.0.1", 0))
+    place = "{0[0]}:{0[1]}".format(server.getsockname())
+    done = threading.Event()
+
+    def serve() -> None:
+        client, _ = server.accept()
+        with client:
+            client.sendall(data)
+            if not closes:
+                done.wait(PATIENCE)
+
+    threading.Thread(target=serve, daemon=True).start()
+    with server:
+        code, _, error = mip(name, place, "--device", "3dm-cv7-gnss-ins", "-o", output, "--timeout", "3")
+        done.set()
+    assert code == (1 if closes else 4) and ("was closed" if closes else "no data for 3 s") in error
+    if name == "record":
+        assert output.read_bytes() == data
+    else:
+        assert len(lines(output.read_text())) == len(lines(mip("stream", "-", data=data)[1]))
+    assert list(tmp_path.iterdir()) == [output]
+
+
 def test_noise_is_no_silence(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     now = 0.0
     monkeypatch.setattr(time, "monotonic", lambda: now)

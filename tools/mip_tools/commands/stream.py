@@ -9,7 +9,7 @@ from typing import Any
 
 from ..binding import Data
 from ..devices.known import KnownDevice
-from ..errors import Misuse
+from ..errors import Failure, Misuse
 from ..files import outputs, signals
 from ..files.pages import FOXGLOVE
 from ..formats import foxglove, live
@@ -88,12 +88,13 @@ def run(options: argparse.Namespace) -> int:
     if options.format == "foxglove":
         return _serve(options, arriving, selection, sender, line.gaps)
     columns = [kind for name in names for kind in _single(name)] if all(map(_single, names)) else []
+    errors: list[Failure] = []
     with signals.handled(signals.interrupt), outputs.whole(options.output, keep=True) as out:
         try:
             live.write_stream(
                 out,
                 options.format,
-                arriving,
+                _until_error(arriving, errors),
                 options,
                 selection,
                 columns,
@@ -103,6 +104,10 @@ def run(options: argparse.Namespace) -> int:
             )
         except KeyboardInterrupt:  # the usual way to end it
             pass
+        except Failure as error:
+            errors.append(error)
+        if errors:
+            raise errors[0]
     return 0
 
 
@@ -150,6 +155,20 @@ def _arriving(
         return not rates
 
     return connection.port_pieces(line, options.duration, begin)
+
+
+def _until_error(pieces: Iterator[Piece | None], errors: list[Failure]) -> Iterator[Piece | None]:
+    """Yields pieces. An error after the first one, such as a lost port, only ends them and is added to `errors`: what
+    came before, and still waits to be written, is written then."""
+    came = False
+    try:
+        for piece in pieces:
+            came = came or piece is not None
+            yield piece
+    except Failure as error:
+        if not came:
+            raise
+        errors.append(error)
 
 
 def _counted(pieces: Iterator[Piece | None], most: int | None) -> Iterator[Piece | None]:

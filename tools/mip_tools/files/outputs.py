@@ -24,8 +24,9 @@ _LONGEST = 255
 def whole(name: str, keep: bool = False, replace: bool = True) -> Iterator[IO[bytes]]:
     """Opens a file for writing, or standard output for `-`. The file gets its name when it is complete.
 
-    After an interrupt or an error nothing is left, unless `keep` is set. Without `replace`, a file that has appeared
-    meanwhile is not replaced: this raises Failure, and the written part is kept. Raises Failure for other errors, too.
+    After an interrupt or an error nothing is left, unless `keep` is set: then the file has what was written before.
+    Without `replace`, a file that has appeared meanwhile is not replaced: this raises Failure, and the written part is
+    kept. Raises Failure for other errors, too.
     """
     if name == "-" or _is_output(name):
         yield sys.stdout.buffer
@@ -62,7 +63,8 @@ def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
         except BaseException as error:
             interrupts.open = False
             # An interrupt at the very end of the caller's `with` arrives here as GeneratorExit.
-            ended = isinstance(error, (KeyboardInterrupt, GeneratorExit, OSError))
+            # A lost port and a time-out are a Failure: what came before may be all that there is of it.
+            ended = isinstance(error, (KeyboardInterrupt, GeneratorExit, OSError, Failure))
             keeps = keep and ended and holds_bytes(part)
             if keeps:
                 _rename(part, path, name, keep, replace)
