@@ -56,6 +56,13 @@ def test_what_is_no_number_is_left_out() -> None:
     assert message_values(kind((1.0, math.nan, -1.0)), False, None) == {"scaled_accel": {"x": 1.0, "z": -1.0}}
 
 
+def test_elements_that_are_not_valid_are_left_out() -> None:
+    kind = registry.by_name("aiding.magnetic_field")
+    field = kind.decode(struct.pack(">BBQB6fH", 1, 1, 5, 1, *range(6), 5))
+    assert message_values(field, False, None, masked=True)["magnetic_field"] == {"x": 0.0, "z": 2.0}
+    assert message_values(field, False, None)["magnetic_field"] == {"x": 0.0, "y": 1.0, "z": 2.0}
+
+
 def mcap(path: Path) -> Iterator[tuple[Any, Any, Any]]:
     from mcap.reader import make_reader
 
@@ -98,6 +105,44 @@ def test_mcap_from_a_pipe_and_from_a_stream(tmp_path: Path) -> None:
 
 
 @heavy("mcap")
+def test_messages_of_fields_without_a_time(tmp_path: Path) -> None:
+    """Other sets have one. A stream has the time of the host, a log none."""
+    stamp = (0xD3, shared.GpsTimestamp(5.0, 2300, shared.GpsTimestampFlags(3)).encode())
+    status = packet(0x82, stamp, (0x10, bytes(6)))
+    path, out = tmp_path / "log", tmp_path / "out.mcap"
+    path.write_bytes(packet(0x80, (0x04, bytes(12))) * 3 + status)
+    for form in ("mcap", "ros2"):
+        code, _, error = mip("export", path, "--only", "sensor", "--format", form, "-o", out)
+        assert code == 1 and "these fields have no valid time" in error and not out.exists()
+    assert mip("export", path, "-o", out)[0] == 0 and len(list(mcap(out))) == 5
+    assert mip("export", "-", "--only", "sensor", "-o", out, data=path.read_bytes())[0] == 0
+    assert len(list(mcap(out))) == 3
+
+
+@heavy("mcap")
+@pytest.mark.parametrize("command", ["export", "stream"])
+def test_values_that_mcap_leaves_out(command: str, tmp_path: Path) -> None:
+    """The same as JSON lines do."""
+    times = iter(range(3))
+
+    def data(number: int, descriptor: int, form: str, *values: float) -> bytes:
+        stamp = shared.GpsTimestamp(next(times), 2300, shared.GpsTimestampFlags(3))
+        return packet(number, (0xD3, stamp.encode()), (descriptor, struct.pack(form, *values)))
+
+    path, out = tmp_path / "log", tmp_path / "out"
+    angles = b"".join(data(0x82, 0x05, ">3fH", 1, 2, 3, flag) for flag in (1, 0))
+    path.write_bytes(angles + data(0x91, 0x05, ">8fH", *range(8), 5))
+    words = (command, path, "--invalid", "mask", "-o", out, "--format")
+    assert mip(*words, "jsonl")[0] == 0
+    rows = [{k.partition("_data.")[2]: v for k, v in json.loads(x).items()} for x in out.read_text().splitlines()]
+    assert mip(*words, "mcap")[0] == 0
+    found = [json.loads(one.data) for _, c, one in mcap(out) if "timestamp" not in c.topic]
+    assert found == [{"roll": 1, "pitch": 2, "yaw": 3, "valid_flags": 1}, {"valid_flags": 0}, found[2]]
+    assert found[2] == {"velocity": {"north": 0, "east": 1, "down": 2}, "ground_speed": 4, "valid_flags": 5}
+    assert [sum(k.startswith("euler_angles.") for k in row) for row in rows] == [4, 1, 0]
+
+
+@heavy("mcap")
 @pytest.mark.parametrize("command", ["export", "stream"])
 def test_names_of_mcap_are_those_of_the_device(command: str, tmp_path: Path) -> None:
     """Bit 12 has another meaning while the filter of a 3DM-GX5 initializes; state 2 has another name on a 3DM-CV7."""
@@ -113,6 +158,14 @@ def test_names_of_mcap_are_those_of_the_device(command: str, tmp_path: Path) -> 
         assert mip(command, tmp_path / "log", *form, "--names", "--device", device, "-o", out)[0] == 0
         found = [json.loads(one.data) for _, c, one in mcap(out) if c.topic == "/mip/filter_data/status"]
         assert [(x["filter_state"], x["status_flags"]) for x in found] == wanted
+
+
+@heavy("rosbags")
+def test_a_bag_leaves_no_values_out(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(log(0.5))
+    words = ("export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "bag", "--invalid", "mask")
+    code, _, error = mip(*words)
+    assert code == 2 and "--invalid mask leaves values out, which standard messages cannot do" in error
 
 
 @heavy("rosbags")

@@ -11,6 +11,7 @@ from typing import Any, NoReturn
 from ..errors import Failure, Misuse
 from ..files import outputs
 from ..formats import live
+from ..formats.json_messages import refuse_options_of_tables
 from ..logs import inputs
 from ..logs.assumed import print_assumptions
 from ..names.selection import Selection
@@ -59,6 +60,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     form = options.format or _by_ending(options.output)
     selection = Selection([*options.names, *options.only], options.without, data=True)
+    if form in MESSAGES:
+        refuse_options_of_tables(options, form)
     if form in MESSAGES or (form == "jsonl" and options.file == "-"):
         if options.file == "-" and form != "ros2" and not options.position:
             with outputs.whole(options.output) as out:  # a pipe: as data arrives

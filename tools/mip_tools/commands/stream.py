@@ -13,6 +13,7 @@ from ..errors import Failure, Misuse
 from ..files import outputs, signals
 from ..files.pages import FOXGLOVE
 from ..formats import foxglove, live
+from ..formats.json_messages import refuse_options_of_tables
 from ..logs import inputs
 from ..logs.scan import Piece
 from ..names.occurrence import Occurrence
@@ -82,6 +83,8 @@ def run(options: argparse.Namespace) -> int:
     outputs.refuse_input(options.output, options.input)
     if (options.listen or options.origin) and options.format != "foxglove":
         raise Misuse("--listen and --origin are for --format foxglove")
+    if options.format in ("mcap", "foxglove"):
+        refuse_options_of_tables(options, options.format)
     sender = KnownDevice(options.device)
     line = line_of(options, options.input)._replace(gaps=[] if options.reopen else None)
     arriving = _counted(_arriving(options, line, rates, at_port, sender), options.packets)

@@ -24,6 +24,9 @@ HELD = 100_000
 #: The separators in the JSON of messages.
 SEPARATORS = (",", ":")
 
+#: Why there are no messages of fields in whose sets no packet has a time.
+NO_TIME = "these fields have no valid time, which messages need; csv and jsonl need none"
+
 #: What the times of messages mean.
 TIMES = {
     "dated": "UTC in ns since 1970, from the {} clock of the device",
@@ -64,10 +67,16 @@ def clock_of(clocks: Clocks, options: argparse.Namespace) -> str:
     if options.time not in (None, "utc", "clock"):
         raise Misuse(f"--time {options.time} is for tables; messages always have the time of the clock")
     if not clocks.best:
-        raise Failure("the log has no packet with a valid time, which messages need; use csv or jsonl")
+        raise Failure(NO_TIME)
     if options.time == "utc" and not clocks.dated:
         raise Failure("the log has no dates; use --time clock")
     return clocks.dated if options.time == "utc" else clocks.steady
+
+
+def refuse_options_of_tables(options: argparse.Namespace, form: str) -> None:
+    """Raises Misuse for options that concern rows. A live stream accepts the same ones as a log."""
+    if options.by != "time":
+        raise Misuse(f"--by {options.by} is for tables; {form} has messages for each field")
 
 
 class Topic(NamedTuple):
@@ -91,9 +100,9 @@ class Topic(NamedTuple):
         return cls(f"/mip/{kind.name.replace('.', '/')}", f"mip.{kind.name}", text)
 
 
-def encoded(field: Field, named: bool, device: str | None) -> bytes:
-    """Encodes a message as JSON."""
-    return json.dumps(message_values(field, named, device), separators=SEPARATORS, allow_nan=False).encode()
+def encoded(field: Field, named: bool, device: str | None, masked: bool = False) -> bytes:
+    """Encodes a message as JSON; `masked`: without the values that their flags mark as invalid."""
+    return json.dumps(message_values(field, named, device, masked), separators=SEPARATORS, allow_nan=False).encode()
 
 
 def clock_meaning(clock: str | None) -> str:
@@ -102,8 +111,8 @@ def clock_meaning(clock: str | None) -> str:
 
 
 def timed(batches: Iterable[Batch], by_host: bool) -> Iterator[tuple[Batch, Array]]:
-    """Yields messages with their times in ns, or else the last known one, or else the first. Raises Failure if too many
-    messages have none."""
+    """Yields messages with their times in ns, or else the last known one, or else the first. Raises Failure if there is
+    none, or not soon."""
     import numpy as np
 
     from ..columns.stamps import NONE
@@ -124,14 +133,32 @@ def timed(batches: Iterable[Batch], by_host: bool) -> Iterator[tuple[Batch, Arra
         yield batch, times[np.searchsorted(known, np.arange(len(moments)), side="right")]
         waiting.clear()
         last = times[-1:]
+    if any(len(each.data) for each in waiting):
+        raise Failure(NO_TIME)
 
 
 # --------------------------------------------------------------------------- messages and schemas
 
 
-def message_values(field: Field, named: bool, device: str | None) -> dict[str, Any]:
+def message_values(field: Field, named: bool, device: str | None, masked: bool = False) -> dict[str, Any]:
     """Returns the values of a field as its schema describes them, without numbers that JSON cannot represent."""
-    return _object(field, values.to_plain(field, named, device))
+    plain_values = values.to_plain(field, named, device)
+    if masked:
+        _mask(field, plain_values, device)
+    return _object(field, plain_values)
+
+
+def _mask(record: Described, plain_values: dict[str, Any], device: str | None) -> None:
+    """Replaces the values that their flags mark as invalid by None: of a vector with a flag each, only these."""
+    for p in info(type(record)).members:
+        valid = [flag.holds(getattr(record, flag.attribute) or 0) for flag in p.flags_of(record, device)]
+        value = plain_values[p.name]
+        if isinstance(value, dict) and p.kind == "struct":
+            _mask(getattr(record, p.attribute), value, device)
+        elif valid and not any(valid):
+            plain_values[p.name] = None
+        elif isinstance(value, list) and len(valid) == len(value):
+            plain_values[p.name] = [item if good else None for item, good in zip(value, valid)]
 
 
 def _object(record: Described, plain_values: dict[str, Any]) -> dict[str, Any]:

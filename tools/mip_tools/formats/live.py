@@ -74,9 +74,9 @@ def messages(
     arrivals: list[tuple[int, float]] = []
     logs = _logs(_noted(arriving, arrivals, gaps), device, options.command, options.named)
     first = next(logs, None)
-    clocks = _clocks(first, options)
+    clocks = _clocks(first, options, selection)
     clock = None if options.time == "none" else (clocks.dated if options.time == "utc" else clocks.steady) or None
-    form = Json(options.named)
+    form = Json(options.named, options.invalid == "mask")
     made = Messages(None, selection, clock, options.invalid, form)
 
     def messages_of_logs() -> Iterator[Batch]:
@@ -112,12 +112,15 @@ def _logs(
                 print(f"mip {command}: {text}", file=sys.stderr)
 
 
-def _clocks(first: Log | None, options: argparse.Namespace) -> Clocks:
-    """Chooses the clocks of a stream by its first data. The device may learn the date later, or lose it."""
-    from ..columns import timeline
+def _clocks(first: Log | None, options: argparse.Namespace, selection: Selection | None = None) -> Clocks:
+    """Chooses the clocks of a stream by its first data: those of the sets with selected fields, if any has arrived. The
+    device may learn the date later, or lose it."""
+    from ..columns import contents, timeline
 
     line = timeline.Timeline() if first is None else timeline.of_log(first)
-    clocks = line.clocks(line.sets)
+    found = () if first is None or selection is None else contents.decodable(first)
+    own = {n for n, kind in found if n >= 0x80 and selection is not None and selection.has(n, kind.DESCRIPTOR)}
+    clocks = line.clocks(own or line.sets)
     date = next(filter(dated, CLOCKS), "")
     if clocks.undated == timeline.DEVICE or options.time in ("utc", "unix"):
         return clocks._replace(dated=date)

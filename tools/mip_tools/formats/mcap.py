@@ -17,7 +17,7 @@ class Job(MessageExport):
 
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
         """Writes fields of these types into a file."""
-        form = Json(self._options.named)
+        form = Json(self._options.named, self._options.invalid == "mask")
         made = Messages(types, self._selection, self._clock, self._options.invalid, form)
         with outputs.whole(path) as out, inputs.open_columns(self._name, self._options.device) as log:
             write_mcap(out, made.of_log(log), self._clock, form.topic)

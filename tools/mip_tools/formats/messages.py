@@ -35,16 +35,16 @@ _NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [], [])
 
 
 def survey_messages(log: Log, selection: Selection) -> tuple[list[Occurrence], timeline.Clocks]:
-    """Finds the types of the selected fields in a log, in the order of their numbers, and its clocks."""
-    kinds = {
-        occurrence_in(number, kind)
+    """Finds the types of the selected fields in a log, in the order of their numbers, and the clocks of their sets."""
+    found = {
+        (number, kind)
         for part in log.parts(PART)
         for number, kind in contents.decodable(part)
         if selection.has(number, kind.DESCRIPTOR)
     }
+    kinds = {occurrence_in(*pair) for pair in found}
     ordered = sorted(kinds, key=lambda occurrence: (occurrence.set, occurrence.kind.DESCRIPTOR, occurrence.kind.NAME))
-    line = timeline.of_log(log)
-    return ordered, line.clocks(line.sets)
+    return ordered, timeline.of_log(log).clocks({number for number, _ in found if number >= 0x80})
 
 
 class MessageExport:
@@ -76,10 +76,10 @@ class Form(Protocol):
 
 
 class Json:
-    """Fields as JSON, with numbers or with names."""
+    """Fields as JSON, with numbers or with names; `masked`: without the values that flags mark as invalid."""
 
-    def __init__(self, named: bool) -> None:
-        self._named = named
+    def __init__(self, named: bool, masked: bool = False) -> None:
+        self._named, self._masked = named, masked
         self.reads: Reads = lambda kind: None
 
     def topic(self, kind: Occurrence | None) -> Topic:
@@ -97,13 +97,15 @@ class Json:
         for name in column:
             if column[name].dtype.kind == "f":  # NaN and infinity, which JSON does not have, are left out
                 odd |= ~np.isfinite(column[name]).reshape(len(column), -1).all(axis=1)
+            if self._masked and column.parameters[name].flags:
+                odd |= ~column.valid(name).reshape(len(column), -1).all(axis=1)
         rows = np.flatnonzero(odd)
         for row, field in zip(rows.tolist(), objects(rows)):
             messages[row] = self.field(field, kind)
         return messages
 
     def field(self, field: Field, kind: Occurrence) -> bytes:
-        return encoded(field, self._named, self.reads(kind.kind))
+        return encoded(field, self._named, self.reads(kind.kind), self._masked)
 
 
 class Messages:

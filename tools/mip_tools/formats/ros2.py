@@ -56,6 +56,8 @@ class Job(MessageExport):
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
         if options.named:
             raise Misuse("--names is for tables; a bag has standard messages")
+        if options.invalid == "mask":
+            raise Misuse("--invalid mask leaves values out, which standard messages cannot do; use --invalid drop")
         if options.output == "-":
             raise Misuse("a bag is a folder; name one with -o")
         super().__init__(name, options, selection)
