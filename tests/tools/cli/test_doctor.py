@@ -518,6 +518,23 @@ def test_what_is_no_device(sends: bytes, cause: str) -> None:
     assert code == 1 and cause in out
 
 
+def test_a_port_that_is_lost_says_nothing_about_the_device() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def serve() -> None:
+            connection, _ = server.accept()
+            with connection:
+                connection.recv(100)
+
+        Thread(target=serve, daemon=True).start()
+        name = f"127.0.0.1:{server.getsockname()[1]}"
+        assert mip("doctor", name, "--duration", "0.1")[:2] == (
+            1,
+            f"{name}: 0 packets\nport lost: the port was closed meanwhile\n"
+            "  check the connector and the power supply\n",
+        )
+
+
 @pytest.mark.parametrize(
     ("error", "cause"),
     [

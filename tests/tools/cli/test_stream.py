@@ -163,6 +163,25 @@ def test_a_lost_port_is_opened_again(name: str, more: tuple[str, ...], tmp_path:
         assert len([line for line in written if line.get("gap", 0) > 0]) == 2
 
 
+@pytest.mark.parametrize("name", ["record", "stream"])
+def test_a_lost_port_is_not_waited_for_longer_than_the_time_out(name: str, tmp_path: Path) -> None:
+    data, output = log(0.5), tmp_path / "output"
+    server = socket.create_server(("127.0.0.1", 0))
+    place = "{0[0]}:{0[1]}".format(server.getsockname())
+
+    def serve() -> None:
+        client, _ = server.accept()
+        server.close()
+        with client:
+            client.sendall(data)
+
+    threading.Thread(target=serve, daemon=True).start()
+    words = ("--reopen", "--timeout", "1", "--duration", str(PATIENCE), "--device", "3dm-cv7-gnss-ins")
+    code, _, error = mip(name, place, "-o", output, *words)
+    assert (code, error) == (4, f"mip {name}: {place} was lost, and is not back after 1 s\n")
+    assert output.read_bytes() == data if name == "record" else lines(output.read_text())
+
+
 def test_a_log_has_no_rates(tmp_path: Path) -> None:
     path = tmp_path / "log"
     path.write_bytes(log(0.5))

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-from ..binding import MipError, NoAnswer, Parser, Refused, identify, module, open_port, session
+from ..binding import MipError, NoAnswer, Parser, PortClosed, Refused, identify, module, open_port, session
 from ..logs.recognize import UNKNOWN, recognized
 from ..names.occurrence import Occurrence
 from ..ports.connection import why_not
@@ -55,8 +55,9 @@ class Patient:
             time.sleep(seconds)
             self.data = b"".join(came)
             lost = device.closed
-        if lost:
+        if lost:  # what did not arrive proves nothing about the device
             self._find("port lost", "the port was closed meanwhile", "check the connector and the power supply")
+            return
         parser = Parser()
         self._connection(answers, bool(parser.feed(self.data) or parser.flush()), seconds)
 
@@ -71,7 +72,7 @@ class Patient:
             self.model = profile.id if profile is not None else None
         except Refused:
             pass
-        except NoAnswer:
+        except (NoAnswer, PortClosed):
             return False
         except (MipError, AttributeError):
             pass

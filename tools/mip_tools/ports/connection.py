@@ -104,9 +104,14 @@ def received_bytes(line: Line, seconds: float | None = None, begin: Begin | None
 
 
 def _back(device: DeviceAtPort, line: Line, begin: Begin | None, end: float | None) -> bool:
-    """Waits until a lost port is open again and `begin` has succeeded; False if the time is over before."""
+    """Waits until a lost port is open again and `begin` has succeeded; False if the time is over before.
+
+    Raises Failure after the time-out.
+    """
     lost = time.monotonic()
     while end is None or time.monotonic() < end:
+        if line.timeout is not None and time.monotonic() - lost >= line.timeout:
+            raise Failure(f"{line.name} was lost, and is not back after {line.timeout:g} s", SILENT)
         try:
             if device.closed:
                 device.reopen(_TURN)
@@ -131,8 +136,8 @@ def port_pieces(
 ) -> Iterator[Piece | None]:
     """Yields the packets received at a port, and the bytes between them; None when nothing more has arrived.
 
-    A silence is reported, see `silence`, with `say` if it is not None. Raises Lost when the port closes, after all
-    received data.
+    A silence is reported, see `silence`, with `say` if it is not None. Raises Lost when the port closes, and Failure
+    after the time-out, after all received data.
     """
     scanner = Scanner()
     silence: Silence | None = None
@@ -151,7 +156,7 @@ def port_pieces(
                 yield from scanner.flush()
             silence.check()
             yield None
-    except Lost:
+    except Failure:
         yield from scanner.flush()
         raise
     yield from scanner.flush()
