@@ -79,8 +79,9 @@ def nmea_sentence(text: str) -> str:
     return f"${text}*{nmea_checksum(text)}\r\n"
 
 
-def nmea_clock(time: datetime) -> str:
-    return f"{time:%H%M%S}.{time.microsecond // 10_000:02d}"
+def nmea_clock(time: datetime | None) -> str:
+    """Formats the time of day; empty if the time is not known."""
+    return "" if time is None else f"{time:%H%M%S}.{time.microsecond // 10_000:02d}"
 
 
 def nmea_place(latitude: float, longitude: float) -> str:
@@ -94,7 +95,9 @@ def _angle(radians: float, width: int, signs: str) -> str:
     return f"{whole:0{width}d}{rest // 100_000:02d}.{rest % 100_000:05d},{signs[radians < 0]}"
 
 
-def gga(time: datetime, place: str, used: int, hdop: float, height: float, geoid: float) -> str:
+def gga(
+    time: datetime | None, place: str, used: int, hdop: float, height: float, geoid: float, quality: int = 1
+) -> str:
     """Composes the text of a GGA sentence, without the talker: `height` is above mean sea level, `geoid` that of the
-    sea level above the ellipsoid, in metres."""
-    return f"GGA,{nmea_clock(time)},{place},1,{used:02d},{hdop:.2f},{height:.2f},M,{geoid:.2f},M,,"
+    sea level above the ellipsoid, in metres. `quality` 1 is a fix without corrections."""
+    return f"GGA,{nmea_clock(time)},{place},{quality},{used:02d},{hdop:.2f},{height:.2f},M,{geoid:.2f},M,,"

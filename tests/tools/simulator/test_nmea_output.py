@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from mip_protocol.types import NmeaMessage, NmeaMessageId, NmeaTalkerId
+from mip_simulator import VirtualDevice
 from mip_simulator.motion import Circle, Standing
 from mip_simulator.streams import nmea
 from mip_tools.sentences import nmea_checksum
@@ -132,6 +133,40 @@ def test_satellites_in_view(shown: Shown) -> None:
         s = wanted[key]
         assert abs(elevation - s.elevation) <= 0.5 and abs((azimuth - s.azimuth + 180) % 360 - 180) <= 0.5
         assert 35 <= strength <= 50
+
+
+def test_without_reception() -> None:
+    shown = Shown(Standing()).at(1)
+    assert one(shown, "GGA", FILTER)[6] == "1"
+    shown.world.gnss = False
+    shown.at(2)
+    found = {name: ",".join(one(shown, name)) for name in (*FREE - {"HDT"}, "ZDA")}
+    assert found == {
+        "GGA": "GNGGA,,,,,,0,00,99.99,,,,,,",
+        "GLL": "GNGLL,,,,,,V,N",
+        "RMC": "GNRMC,,V,,,,,,,,,,N",
+        "VTG": "GNVTG,,,,,,,,,N",
+        "GST": "GNGST,,,,,,,,",
+        "ZDA": "GNZDA,,,,,,",
+    }
+    lines = said(shown, "GSV", GNSS_1, NmeaTalkerId.IGNORED)
+    assert lines == [[f"{talker}GSV", "1", "1", "00"] for talker in ("GP", "GL", "GA", "GB")]
+    # The filter goes on from the last position, and the clock of the device runs.
+    gga, gll, rmc, vtg = (one(shown, name, FILTER) for name in ("GGA", "GLL", "RMC", "VTG"))
+    assert gga[6] == "6" and gga[1] and gga[2] and rmc[2] == gll[6] == "A" and rmc[9]
+    assert gll[7] == rmc[12] == vtg[9] == "E"
+    # It has neither if it never had reception.
+    device = VirtualDevice("3dm-cv7-gnss-ins", sync=False)
+    device.advance(2)
+    entry = NmeaMessage(NmeaMessageId.RMC, NmeaTalkerId.GNSS, FILTER, 1)
+    assert nmea.compose_sentences([entry], device.world).startswith(b"$GNRMC,,V,,,,,,,,,,N*")
+
+
+def test_with_corrections() -> None:
+    shown = Shown(Standing()).at(1)
+    shown.world.corrected = shown.world.now
+    gga, gll, rmc, vtg = (one(shown, name) for name in ("GGA", "GLL", "RMC", "VTG"))
+    assert (gga[6], gll[7], rmc[12], vtg[9]) == ("4", "D", "R", "D")
 
 
 @pytest.mark.parametrize("talker, letters", {"GNSS": "GN", "GPS": "GP", "GALILEO": "GA", "GLONASS": "GL"}.items())

@@ -14,6 +14,7 @@ from mip_tools.sentences import gga, nmea_clock, nmea_place, nmea_sentence
 
 from ..surroundings.satellites import only
 from ..world.quantities import quantity
+from ..world.receivers import corrected
 from ..world.world import World
 
 KNOT = 1852 / 3600
@@ -22,6 +23,10 @@ GRAVITY = 9.80665
 #: Data set -> the receiver whose antenna position the sentences contain; None: the position of the filter.
 _SOURCES: dict[str, int | None] = {"filter_data": None, "gnss_data": 1, "gnss_1": 1, "gnss_2": 2}
 _TALKERS = {"gnss": "GN", "gps": "GP", "galileo": "GA", "glonass": "GL"}
+
+#: Qualities of a fix, and the modes that state them in RMC; GLL and VTG have no mode for RTK.
+_AUTONOMOUS, _RTK, _ESTIMATED = 1, 4, 6
+_MODES = {0: "N", _AUTONOMOUS: "A", _RTK: "R", _ESTIMATED: "E"}
 
 #: Constellation -> talker of its satellites, and the offset of their numbers.
 _CONSTELLATIONS = {"gps": ("GP", 0), "glonass": ("GL", 64), "galileo": ("GA", 0), "beidou": ("GB", 0)}
@@ -38,7 +43,8 @@ class Entry(Protocol):
 class _Fix(NamedTuple):
     """The content of the sentences, from one source."""
 
-    time: datetime
+    time: datetime | None  # None: not known
+    quality: int  # as in GGA; 0: no position
     latitude: float
     longitude: float
     height: float
@@ -48,15 +54,18 @@ class _Fix(NamedTuple):
 
 
 def _fix(world: World, receiver: int | None) -> _Fix:
-    time = gps_to_utc(world.gps)
+    measured = 0 if not world.gnss else _RTK if corrected(world) else _AUTONOMOUS
     if receiver is None:
         s = world.place
+        time = gps_to_utc(world.clock) if world.dated else None
+        quality = (measured or _ESTIMATED) if world.filter.placed else 0
         n, e, d = (quantity(world, f"uncertainty.{axis}") for axis in ("north", "east", "down"))
-        return _Fix(time, s.latitude, s.longitude, s.height, s.velocity, (n, e, d), 1)
+        return _Fix(time, quality, s.latitude, s.longitude, s.height, s.velocity, (n, e, d), 1)
     a = world.fix(receiver)
+    time = gps_to_utc(world.gps) if world.gnss else None
     across = quantity(world, "gnss.horizontal_accuracy") / 2**0.5
     up = quantity(world, "gnss.vertical_accuracy")
-    return _Fix(time, a.latitude, a.longitude, a.height, a.velocity, (across, across, up), receiver)
+    return _Fix(time, measured, a.latitude, a.longitude, a.height, a.velocity, (across, across, up), receiver)
 
 
 # --------------------------------------------------------------------------- parts of sentences
@@ -64,6 +73,15 @@ def _fix(world: World, receiver: int | None) -> _Fix:
 
 def _place(fix: _Fix) -> str:
     return nmea_place(fix.latitude, fix.longitude)
+
+
+def _status(fix: _Fix) -> str:
+    return "A" if fix.quality else "V"
+
+
+def _mode(fix: _Fix) -> str:
+    """Returns the mode of GLL and VTG, in which RTK is differential."""
+    return "D" if fix.quality == _RTK else _MODES[fix.quality]
 
 
 def _course(angle: float) -> str:
@@ -78,18 +96,21 @@ def _declination(world: World) -> float:
 
 
 def _gga(world: World, fix: _Fix) -> Iterator[str]:
+    if not fix.quality:
+        yield f"GGA,{nmea_clock(fix.time)},,,,,0,00,99.99,,,,,,"
+        return
     used, hdop = len(world.satellites), quantity(world, "dop.hdop")
-    yield gga(fix.time, _place(fix), used, hdop, fix.height - world.geoid, world.geoid)
+    yield gga(fix.time, _place(fix), used, hdop, fix.height - world.geoid, world.geoid, fix.quality)
 
 
 def _gll(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"GLL,{_place(fix)},{nmea_clock(fix.time)},A,A"
+    yield f"GLL,{_place(fix) if fix.quality else ',,,'},{nmea_clock(fix.time)},{_status(fix)},{_mode(fix)}"
 
 
 def _gsv(world: World, fix: _Fix) -> Iterator[str]:
     for constellation, (talker, offset) in _CONSTELLATIONS.items():
         seen = only(world.satellites, constellation)
-        groups = [seen[i : i + 4] for i in range(0, len(seen), 4)]
+        groups = [seen[i : i + 4] for i in range(0, len(seen), 4)] or [()]
         for number, group in enumerate(groups, 1):
             text = f"{talker}GSV,{len(groups)},{number},{len(seen):02d}"
             for s in group:
@@ -102,17 +123,22 @@ def _rmc(world: World, fix: _Fix) -> Iterator[str]:
     north, east, _ = fix.velocity
     knots, course = hypot(north, east) / KNOT, degrees(world.course(fix.velocity))
     away = _declination(world)
-    yield (
-        f"RMC,{nmea_clock(fix.time)},A,{_place(fix)},{knots:.3f},{_course(course)},{fix.time:%d%m%y},"
-        f"{abs(away):.1f},{'EW'[away < 0]},A"
-    )
+    date = "" if fix.time is None else f"{fix.time:%d%m%y}"
+    place, motion, declination = ",,,", ",", ","
+    if fix.quality:
+        place, motion = _place(fix), f"{knots:.3f},{_course(course)}"
+        declination = f"{abs(away):.1f},{'EW'[away < 0]}"
+    yield f"RMC,{nmea_clock(fix.time)},{_status(fix)},{place},{motion},{date},{declination},{_MODES[fix.quality]}"
 
 
 def _vtg(world: World, fix: _Fix) -> Iterator[str]:
+    if not fix.quality:
+        yield "VTG,,,,,,,,,N"
+        return
     north, east, _ = fix.velocity
     speed, course = hypot(north, east), degrees(world.course(fix.velocity))
     magnetic = _course(course - _declination(world))
-    yield f"VTG,{_course(course)},T,{magnetic},M,{speed / KNOT:.3f},N,{speed * 3.6:.3f},K,A"
+    yield f"VTG,{_course(course)},T,{magnetic},M,{speed / KNOT:.3f},N,{speed * 3.6:.3f},K,{_mode(fix)}"
 
 
 def _hdt(world: World, fix: _Fix) -> Iterator[str]:
@@ -120,10 +146,13 @@ def _hdt(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _zda(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"ZDA,{nmea_clock(fix.time)},{fix.time:%d,%m,%Y},00,00"
+    yield "ZDA,,,,,," if fix.time is None else f"ZDA,{nmea_clock(fix.time)},{fix.time:%d,%m,%Y},00,00"
 
 
 def _gst(world: World, fix: _Fix) -> Iterator[str]:
+    if not fix.quality:
+        yield f"GST,{nmea_clock(fix.time)},,,,,,,"
+        return
     n, e, d = fix.deviation
     major, minor, direction = max(n, e), min(n, e), 0.0 if n >= e else 90.0
     rms = hypot(n, e, d)

@@ -37,7 +37,8 @@ def _aiding(w: World, item: Any) -> tuple[str, ...]:
     return "tight_coupling", "gps_l1", "glonass_l1", "galileo_e1", "beidou_b1"
 
 
-def _corrected(w: World) -> bool:
+def corrected(w: World) -> bool:
+    """Do the receivers use corrections?"""
     return w.corrected is not None and w.now - w.corrected < CORRECTED
 
 
@@ -74,8 +75,8 @@ def _gnss(receiver: int) -> dict[str, Function]:
 #: Names -> world and item -> value.
 GNSS: dict[str, Function] = {
     "gnss.fix": lambda w, _: w.gnss,
-    "gnss.fix_type": lambda w, _: "fix_none" if not w.gnss else "fix_rtk_fixed" if _corrected(w) else "fix_3d",
-    "gnss.fix_flags": lambda w, _: ("sbas_used",) * w.gnss + ("dgnss_used",) * (w.gnss and _corrected(w)),
+    "gnss.fix_type": lambda w, _: "fix_none" if not w.gnss else "fix_rtk_fixed" if corrected(w) else "fix_3d",
+    "gnss.fix_flags": lambda w, _: ("sbas_used",) * w.gnss + ("dgnss_used",) * (w.gnss and corrected(w)),
     "gnss.aiding": _aiding,
     **_gnss(1),
     **_gnss(2),
