@@ -272,6 +272,14 @@ def test_a_log_of_commands_and_answers_is_not_exported_in_silence(form: str, tmp
     assert mip("export", log, "-o", tmp_path / f"t.{form}") == (1, "", f"mip export: {log} has {what}\n")
 
 
+@pytest.mark.parametrize("form", ["jsonl", "csv", pytest.param("mcap", marks=heavy("mcap"))])
+def test_a_pipe_without_the_fields_is_not_exported_in_silence(form: str, tmp_path: Path) -> None:
+    out = tmp_path / f"t.{form}"
+    said = "mip export: - has none of these fields; `mip info` lists its fields\n"
+    assert mip("export", "-", "gnss_1", "-o", out, data=stamped(1)) == (1, "", said)
+    assert not out.exists()
+
+
 @pytest.mark.parametrize("form", ["csv", "parquet"])
 def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Path, tmp_path: Path) -> None:
     """A recording may have them, between the data that its user wants."""

@@ -65,7 +65,9 @@ def run(options: argparse.Namespace) -> int:
     if form in MESSAGES or (form == "jsonl" and options.file == "-"):
         if options.file == "-" and form != "ros2" and not options.position:
             with outputs.whole(options.output) as out:  # a pipe: as data arrives
-                live.write_stream(out, form, inputs.arriving("-"), options, selection, device=options.device)
+                arriving = inputs.arriving("-")
+                if not live.write_stream(out, form, arriving, options, selection, device=options.device):
+                    _nothing(options, selection)
             return 0
         if form in MESSAGES:
             return _messages(options, form, selection)

@@ -45,18 +45,17 @@ def write_stream(
     device: str | KnownDevice | None = None,
     host: bool = False,
     gaps: list[float] | None = None,
-) -> None:
-    """Writes the fields of a stream until it ends. `types`: the columns of CSV; by default the fields in the preview.
+) -> bool:
+    """Writes the fields of a stream until it ends. Has it any? `types`: the columns of CSV; by default the fields in the preview.
     `host`: with a column of the times when the packets arrive. `gaps`: the seconds, which are added here, for which
     the port was lost before a packet, as a column or as messages.
 
     The rows are the same as those of `mip export`, except that an instant that arrives in two pieces has two rows.
-    Raises Failure if the stream ends without any of the fields.
+    Raises Failure if the columns of CSV are unknown.
     """
     if form == "mcap":
-        write_mcap(out, *messages(arriving, options, selection, out.flush, device, gaps), live=True)
-    else:
-        _write_table(out, form, arriving, options, selection, types, device, host, gaps)
+        return write_mcap(out, *messages(arriving, options, selection, out.flush, device, gaps), live=True)
+    return _write_table(out, form, arriving, options, selection, types, device, host, gaps)
 
 
 def messages(
@@ -137,7 +136,7 @@ def _write_table(
     device: str | KnownDevice | None,
     host: bool,
     gaps: list[float] | None,
-) -> None:
+) -> bool:
     inputs.need_numpy()
     import numpy as np
 
@@ -165,10 +164,12 @@ def _write_table(
             raise Failure("no field arrived, so the columns are unknown; name the fields")
     started = Time(options.time)
     left_out: set[str] = set()
+    found = False
     try:
         with writers.FORMS[form](out) as write:
             for log in chain([] if first is None else [first], logs):
                 kinds = _kinds(log, wanted)
+                found = found or bool(kinds)
                 if form == "csv":  # the columns are always the same
                     left_out |= {kind.name for kind in kinds if kind not in types}
                     kinds = list(types)
@@ -186,6 +187,7 @@ def _write_table(
         if left_out:
             names = ", ".join(sorted(left_out))
             print(f"mip {options.command}: no columns for fields that came later: {names}; name them", file=sys.stderr)
+    return found
 
 
 def _noted(

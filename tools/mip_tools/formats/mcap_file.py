@@ -41,8 +41,8 @@ def write_mcap(
     clock: str | None,
     topic_of: Callable[[Occurrence | None], Topic],
     live: bool = False,
-) -> None:
-    """Writes messages. The file is complete even after an interrupt.
+) -> bool:
+    """Writes messages. Are there any? The file is complete even after an interrupt.
 
     `topic_of` makes the topic of a field, or of gaps. `live`: without a clock, messages have the time of the host.
     """
@@ -63,6 +63,7 @@ def write_mcap(
             file.add(numbers, moments, batch.packet, batch.data)
     finally:
         file.finish()
+    return bool(channels)
 
 
 class _File:
