@@ -63,6 +63,8 @@ def test_the_field_to_blame_for_a_rejection() -> None:
     cases = json.loads((ROOT / "tests/rejected.json").read_text("utf-8"))
     found = zip(cases, answers("rejected", "real", map(json.dumps, cases)), strict=True)
     assert [(c["title"], c["cause"], x) for c, x in found if c["cause"] != x] == []
+    reasons = re.findall(r"^    reason: (.*);$", (GENERATED / "mip/index.d.mts").read_text("utf-8"), re.M)
+    assert {json.dumps(c["cause"][3]) for c in cases if c["cause"]} <= set(reasons[0].split(" | "))
 
 
 def test_devices_at_their_worst() -> None:

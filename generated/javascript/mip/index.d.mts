@@ -29,7 +29,7 @@ export interface Rejected {
     set: number;
     /** 0 for the whole set. */
     descriptor: number;
-    reason: "absent" | "decimation" | "too_many" | "undefined" | "unlisted";
+    reason: "absent" | "decimation" | "other_command" | "too_many" | "undefined" | "unlisted";
     /** "3DM-CV7-AR has no GNSS receiver" */
     text: string;
 }
