@@ -195,17 +195,22 @@ MIP_INLINE void take_in(struct mip_device *device, uint8_t *bytes) {
     }
 }
 
+/** Is the command deferred? Then mip_defer keeps the device locked, and the port is never read. */
+static bool defers(const struct mip_device *device) {
+    mip_device_lock(device, true);
+    const bool is_deferred = device->deferred != NULL;
+    mip_device_lock(device, false);
+    return is_deferred;
+}
+
 /** The most reads before a command, because bytes may arrive as fast as they are handled. */
 #define READS_BEFORE 64
 
 void mip_device_wait(struct mip_device *device, uint8_t *bytes, struct mip_request *request) {
     if (request == NULL) {
-        mip_device_lock(device, true);
-        /* mip_defer keeps the device locked, and the port is never read then. */
-        const bool reads = device->waits != NULL && device->deferred == NULL;
-        mip_device_lock(device, false);
-        for (uint8_t left = reads ? READS_BEFORE : 0;
-             left > 0 && device->waits(device->port.user) && poll(device, bytes); left--) {
+        unsigned left = READS_BEFORE;
+        while (device->waits != NULL && !defers(device) && device->waits(device->port.user) &&
+               poll(device, bytes) && --left > 0) {
         }
         return;
     }
@@ -215,9 +220,6 @@ void mip_device_wait(struct mip_device *device, uint8_t *bytes, struct mip_reque
         }
     }
 }
-
-/** `asked` of a request that is not waited for, although the device may reply. */
-static const struct mip_response ignored = {NULL, 0, 0, MIP_NOT_ZERO, false};
 
 /** Sends a command, whose data is already in the packet, and waits for its reply. */
 static struct mip_result carry_out(struct mip_device *device, struct mip_request *request,
@@ -241,15 +243,10 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
         bytes[4] = (uint8_t)(size + 2);
         bytes[5] = exchange->descriptor;
         size = mip_packet_seal(bytes, exchange->descriptor_set, size + 2);
-        /* It needs no barrier, because no reply can be taken for its own, but the next one does. */
-        const bool ignores = request->asked == &ignored;
-        const bool due = device->client.missed != device->client.behind;
-        const bool sent = (ignores || guard(device)) && write(device, bytes, size);
-        if (sent) {
+        if (guard(device) && write(device, bytes, size)) {
             mip_client_wait(&device->client, request, device->port.now(device->port.user));
-        }
-        if (!sent || (ignores && !due)) { /* a part may have been sent */
-            mip_client_miss(&device->client);
+        } else {
+            mip_client_miss(&device->client); /* a part may have been sent */
         }
     }
     mip_device_lock(device, false);
@@ -289,20 +286,34 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
 
 struct mip_result mip_device_tell(struct mip_device *device, const struct mip_command *command,
                                   const void *value) {
+    static const struct mip_response none = {NULL, 0, 0, MIP_NOT_ZERO, false};
+    struct mip_client *const client = &device->client;
+    const struct mip_response *asked = &none;
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_builder builder;
     struct mip_request request;
     request_of(&request, command->exchange, NULL, NULL);
+    request.asked = &none;
     take_in(device, bytes);
     mip_builder_start(&builder, bytes, sizeof(bytes), command->exchange->descriptor_set);
     request.result.error = (uint8_t)mip_command_encode(command, value, &builder);
     if (request.result.error == MIP_OK) {
-        request.asked = mip_requested(command->exchange, bytes + MIP_HEADER_SIZE);
-        if (request.asked == NULL || request.asked->descriptor != 0) { /* not one without a reply */
-            request.asked = &ignored;
-        }
+        asked = mip_requested(command->exchange, bytes + MIP_HEADER_SIZE);
     }
-    return carry_out(device, &request, bytes, builder.length - DATA);
+    mip_device_lock(device, true);
+    const uint8_t behind = client->behind;
+    const uint8_t missed = client->missed;
+    client->behind = missed; /* it needs no barrier */
+    const struct mip_result result = carry_out(device, &request, bytes, builder.length - DATA);
+    if (client->behind == missed) { /* nor was one sent, for the request that it replaces */
+        client->behind = behind;
+    }
+    if (result.outcome == MIP_SENT && client->missed == client->behind &&
+        (asked == NULL || asked->descriptor != 0)) {
+        mip_client_miss(client); /* the device may reply; then the next command does */
+    }
+    mip_device_lock(device, false);
+    return result;
 }
 
 /** Sends data, and waits for the reply. */
