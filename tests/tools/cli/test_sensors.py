@@ -8,6 +8,7 @@ from functools import cache
 from math import sin, tau
 from pathlib import Path
 from random import Random
+from struct import pack
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from mip_simulator.surroundings.noise import Noise
 from mip_tools.analysis import allan, ellipsoid
 from mip_tools.devices.facts import NOISE
 from program import mip, sent, simulated, streaming
+from timed_packets import packet
 
 IRON = (0.08, -0.05, 0.11)
 SCENARIO = f"events:\n  - {{at: 0, event: magnetic_disturbance, field: [{', '.join(map(str, IRON))}]}}\n"
@@ -134,6 +136,16 @@ def test_the_noise_of_a_log(tmp_path: Path) -> None:
     for unit, true in (("µg/√Hz", accel / 9.80665 * 1e6), ("°/s/√Hz", np.degrees(gyro))):
         found = [float(x) for x in re.findall(rf"white noise (\S+) {unit}, bias instability (?:≤ )?\S+ \S+ at", out)]
         assert len(found) == 3 and found == pytest.approx([true] * 3, rel=0.1)
+
+
+@pytest.mark.parametrize("dated", [500, 3700])
+def test_noise_by_the_clock_of_all_packets(dated: int, tmp_path: Path) -> None:
+    """The first packets have no date."""
+    values = np.random.default_rng(1).normal(size=(4200, 3)) * 1e-3 - [0, 0, 1]
+    stamps = [(0.5 + i / 100, 0, 0) if i < 4200 - dated else (345_600 + i / 100, 2300, 3) for i in range(4200)]
+    own = [((0xD3, pack(">dHH", *time)), (0x04, pack(">3f", *value))) for time, value in zip(stamps, values)]
+    (tmp_path / "log").write_bytes(b"".join(packet(0x80, *fields) for fields in own))
+    assert "sensor.scaled_accel: 42 s at 100 Hz" in mip("noise", tmp_path / "log")[1]
 
 
 def test_the_bias_instability_of_a_drift() -> None:

@@ -68,6 +68,7 @@ def _examined(log: Log, name: str, file: str, lines: list[str]) -> dict[str, tup
     import numpy as np
 
     from ..analysis import allan
+    from ..columns import timeline
 
     column = log[one_field(name)]
     measured = [p for p in column if getattr(column[p], "dtype", np.dtype(bool)).kind == "f"]
@@ -75,7 +76,8 @@ def _examined(log: Log, name: str, file: str, lines: list[str]) -> dict[str, tup
         raise Failure(f"{file} has no measurements of {column.name}")
     values, parameter = np.asarray(column[measured[0]], float), column.parameters[measured[0]]
     values = values.reshape(len(values), -1)
-    rate, values = _regular(column.time().values, values, column.name)
+    clock = timeline.of_log(log).clocks(column.sets).steady  # that of all packets, also of those without a date
+    rate, values = _regular(column.time(clock or None).values, values, column.name)
     if len(values) < _SHORTEST * rate:
         raise Failure(f"{column.name}: {len(values) / rate:.0f} s without a gap; {_SHORTEST:.0f} s are needed at least")
     if moves := allan.motion(values, rate, parameter.unit or ""):
@@ -101,8 +103,9 @@ def _regular(times: Array, values: Array, name: str) -> tuple[float, Array]:
 
     if len(times) < 3 or np.isnat(times).all():
         raise Failure(f"{name} has no times; add a timestamp to the message format")
-    steps = np.diff(times).astype("timedelta64[ns]").astype(float) / 1e9
-    step = float(np.median(steps))
+    steps = np.diff(times).astype("timedelta64[ns]")
+    steps = np.where(np.isnat(steps), np.nan, steps.astype(float) / 1e9)
+    step = 0.0 if np.isnan(steps).all() else float(np.nanmedian(steps))
     breaks = [-1, *np.flatnonzero(~(np.abs(steps - step) < step / 2)), len(times) - 1]
     begin, end = max(pairwise(breaks), key=lambda part: part[1] - part[0])
     if step <= 0 or end - begin < 3:
