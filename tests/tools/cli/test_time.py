@@ -523,6 +523,21 @@ def test_the_rate_of_a_field_is_one_in_all_tools(tmp_path: Path) -> None:
     assert {one.name: one.rate for one in read_log(path).types()} == pytest.approx(found)
 
 
+def test_many_packets_of_one_time_are_no_stuck_clock(tmp_path: Path) -> None:
+    """Receivers send their signals in many packets; the first and the last instant may be cut."""
+    many = [packet(0x91, stamp(0x09, TOW + i, WEEK, 3), (0x03, bytes(44))) for i in range(9) for _ in range(14)]
+    for logged, stuck in (
+        (many, False),
+        (many[:15], False),
+        (many[9:30], False),
+        (many + many[-1:] * 50, True),
+        (many[:14] * 4, True),
+        (many[:42] + many[42:43] * 60 + many[60:], True),
+    ):
+        path = written(tmp_path, *logged)
+        assert ("stuck: the gps clock" in mip("info", path)[1]) == stuck == ("\nstuck:" in mip("doctor", path)[1])
+
+
 def test_fleet(case: Case, path: Path) -> None:
     from mip_tools.fleet.decode import _facts
     from mip_tools.logs.report import report_on

@@ -14,6 +14,7 @@ from ..binding import CLOCKS, DEVICE_CLOCK, SECOND, timestamps
 from .distinct import distinct
 from .packets import Packets
 from .raw_times import raw, read
+from .runs import Runs
 from .scan import Array
 from .stamps import NONE, Stamps
 
@@ -21,8 +22,6 @@ from .stamps import NONE, Stamps
 DEVICE = DEVICE_CLOCK
 #: A clock that goes back by more than this restarts; packets may be out of order.
 BACK = SECOND // 10
-#: A clock with this many equal times in a row is stuck.
-STUCK = 10
 #: Dates and the device's clock that differ less than this from what they were are still the same.
 _NEAR = 10 * SECOND
 #: A time of week without a date may continue the time of week of a date, or a week before, after at most this time.
@@ -77,8 +76,14 @@ class TimesOfSet:
     alone: dict[str, int] = field(default_factory=dict)  # clock -> packets with such a time, but without a date
     stamped: int = 0  # packets with a timestamp that could have a date, or with timestamps of which none is valid
     lost: list[Lost] = field(default_factory=list)
-    stuck: dict[str, tuple[int, int]] = field(default_factory=dict)  # clock -> where it was first stuck; the time
-    _last: dict[str, tuple[Array, Array]] = field(default_factory=dict)  # clock -> the last offsets and times
+    _runs: dict[str, Runs] = field(default_factory=dict)  # clock -> those of its times
+    _last: dict[str, tuple[int, int]] = field(default_factory=dict)  # clock -> the last offset and time
+
+    @property
+    def stuck(self) -> dict[str, tuple[int, int]]:
+        """Clock -> where it was first stuck, and the time."""
+        found = {clock: runs.stuck() for clock, runs in self._runs.items()}
+        return {clock: place for clock, place in found.items() if place}
 
     def follow(self, clock: str, offset: Array, value: Array) -> Iterator[tuple[int, int]]:
         """Adds the next times by a clock. Yields where it goes back: the packets before and after."""
@@ -86,20 +91,13 @@ class TimesOfSet:
         if not there.all():
             offset, value = offset[there], value[there]
         self.valid[clock] = self.valid.get(clock, 0) + len(value)
-        known = 1
-        if clock in self._last:
-            known = len(self._last[clock][0])
-            offset, value = (np.concatenate(pair) for pair in zip(self._last[clock], (offset, value)))
-        steps = np.diff(value)
-        for i in np.flatnonzero(steps[known - 1 :] < -BACK).tolist():
-            yield int(offset[known - 1 + i]), int(offset[known + i])
-        same = steps == 0
-        if clock not in self.stuck and np.count_nonzero(same) >= STUCK - 1:
-            same = np.cumsum(np.append(0, same))
-            first = int((same[STUCK - 1 :] - same[: 1 - STUCK]).argmax())
-            if (value[first : first + STUCK] == value[first]).all():
-                self.stuck[clock] = int(offset[first]), int(value[first])
-        self._last[clock] = offset[-STUCK:].copy(), value[-STUCK:].copy()
+        if not len(value):
+            return
+        self._runs.setdefault(clock, Runs()).add(offset, value)
+        before = self._last.get(clock, (int(offset[0]), int(value[0])))
+        for i in np.flatnonzero(np.diff(value, prepend=before[1]) < -BACK).tolist():
+            yield int(offset[i - 1]) if i else before[0], int(offset[i])
+        self._last[clock] = int(offset[-1]), int(value[-1])
 
 
 class _Times(NamedTuple):
