@@ -13,7 +13,7 @@ from mip_protocol import PacketBuilder, filter_data, timestamps
 from mip_protocol.text import shortest
 from mip_tools.columns import intervals, read_log, text, timeline, times
 from mip_tools.columns import packets as columns_packets
-from mip_tools.columns.stamps import NONE
+from mip_tools.columns.stamps import NONE, Stamps
 from mip_tools.commands import cut, info
 from mip_tools.formats import messages
 from mip_tools.formats.json_messages import encoded
@@ -69,6 +69,14 @@ def held(found: intervals.Intervals) -> dict[str, Any]:
     return {**vars(found), "_longest": sorted(found._longest)}
 
 
+class Plain(intervals.Intervals):
+    """Intervals that are added one by one."""
+
+    def add_all(self, times: Any, offsets: Any) -> None:
+        for time, offset in zip(times.tolist(), offsets.tolist()):
+            self.add(time, offset)
+
+
 def plain_report(stream: bytes) -> log_report.Report:
     """The same packet by packet."""
     report, damaged, sentences, scanner = log_report.Report(len(stream)), scan.Damaged(), Sentences(), scan.Scanner()
@@ -83,18 +91,18 @@ def plain_report(stream: bytes) -> log_report.Report:
         number = piece.packet.set
         report.sets[number] = report.sets.get(number, 0) + 1
         report.malformed += bool(decoding.malformed(piece.packet))
-        seen = set()
+        seen = {}
         for raw in decoding.raw_fields(piece.packet):
             name = decoding.name_of(decoding.decoded_field(raw))
-            kind = report.fields.setdefault((raw.set, raw.descriptor), log_report.Kind(name))
-            kind.count += 1
-            kind.packets += raw.descriptor not in seen
-            kind.last = report.sets[number] - 1
-            kind.first = kind.last if kind.first < 0 else kind.first
-            seen.add(raw.descriptor)
-        for clock, time in timestamps.moments(piece.packet).items():
-            if time is not None:
-                report.clocks[clock].setdefault(number, intervals.Intervals()).add(time, piece.offset)
+            report.fields.setdefault((raw.set, raw.descriptor), log_report.Kind(name)).count += 1
+            seen[raw.descriptor] = np.zeros(1, np.int64)
+        moments = timestamps.moments(piece.packet)
+        for clock in report.clocks:
+            stamped = np.zeros(int(clock in moments), np.int64)
+            time = NONE if moments.get(clock) is None else moments[clock]
+            if time != NONE or number in report.clocks[clock]:
+                stamps = Stamps(stamped, stamped + time, lambda at=stamped + piece.offset: at)
+                report.clocks[clock].setdefault(number, Plain()).add_set(np.zeros(1, np.int64), stamps, seen)
     damaged.end()
     report.runs, report.damaged = damaged.runs, damaged.count
     return report

@@ -21,6 +21,7 @@ from mip_protocol import sensor
 from mip_tools import read_log
 from mip_tools.columns.raw_times import raw
 from mip_tools.columns.stamps import NONE
+from mip_tools.doctor.stream import examine_log
 from program import mip, reply, simulated
 from support import heavy, later
 from timed_packets import cases_of_devices, packet
@@ -511,16 +512,31 @@ def test_a_live_port_is_asked_for_its_device() -> None:
 
 
 def test_the_rate_of_a_field_is_one_in_all_tools(tmp_path: Path) -> None:
-    """A field in each tenth packet of the second half, after a gap; two in each of these packets."""
+    """A field in each tenth packet of the second half, after a gap; two in each of these packets. An instant may have
+    two packets, and a packet no timestamp."""
     angles = (0x05, struct.pack(">3fH", 0, 0, 0, 1))
     twice = [[angles] * (2 * (i >= 30 and i % 10 == 0)) for i in range(80)]
     stamps = [reference(i * STEP + (i > 40)) for i in range(80)]
     packets = [packet(0x82, stamp, *more, (0x10, bytes(6))) for stamp, more in zip(stamps, twice)]
-    path = written(tmp_path, *packets)
-    found = {field["name"]: field["rate"] for field in json.loads(mip("info", path, "--json")[1])["fields"]}
-    assert found["filter_data.status"] == pytest.approx(100)
-    assert found["filter_data.euler_angles"] == pytest.approx(10, rel=0.2)
-    assert {one.name: one.rate for one in read_log(path).types()} == pytest.approx(found)
+    state, acceleration = (0x10, bytes(6)), (0x04, bytes(12))
+    halves = [packet(0x82, stamp, own) for stamp in stamps[:40] for own in (angles, state)]
+    no_fix = [packet(0x91, stamp(0x09, TOW, WEEK, 0), (0x03, bytes(44))), packet(0x91, (0x04, bytes(32)))]
+    fix = [packet(0x91, stamp(0x09, TOW + i, WEEK, 3), (own, bytes(44))) for i in range(9) for own in (3, 4)]
+    tenth = [packet(0x80, *[reference(i * STEP)] * (i % 10 == 0), acceleration) for i in range(205)]
+    for logged, rates in (
+        (packets, {"filter_data": 100, "filter_data.status": 100, "filter_data.euler_angles": 10}),
+        (halves, {"filter_data": 100, "filter_data.status": 100, "filter_data.euler_angles": 100}),
+        (no_fix * 5 + fix, {"gnss_1": 1, "gnss_1.llh_position": 1, "gnss_1.ecef_position": 1}),
+        (tenth, {"sensor": 100, "sensor.scaled_accel": 100, "shared.reference_timestamp": 10}),
+    ):
+        path = written(tmp_path, *logged)
+        report = json.loads(mip("info", path, "--json")[1])
+        found = {field["name"]: field["rate"] for field in report["fields"]}
+        assert {one.name: one.rate for one in read_log(path).types()} == pytest.approx(found)
+        examined = examine_log(read_log(path))
+        assert {examined.names[key]: rate for key, rate in examined.rates.items()} == pytest.approx(found)
+        found |= {one["name"]: one["rate"] for one in report["sets"]}
+        assert {name: found[name] for name in rates} == pytest.approx(rates, rel=0.2 if logged is packets else 1e-6)
 
 
 def test_many_packets_of_one_time_are_no_stuck_clock(tmp_path: Path) -> None:

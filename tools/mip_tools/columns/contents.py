@@ -9,7 +9,7 @@ import numpy as np
 
 from ..binding import Field, registry
 from . import layout, times
-from .intervals import Intervals
+from .intervals import Intervals, Share
 from .packets import Packets
 from .scan import Array
 
@@ -27,29 +27,22 @@ class TypeCount:
 
 
 class _Span(NamedTuple):
-    """The number of some fields and of the packets that have any, and the first and the last of these packets."""
+    """The number of some fields, and the instants that have any."""
 
     rows: int
-    packets: int
-    first: int
-    last: int
-
-    @classmethod
-    def of(cls, packet: Array) -> _Span:
-        """Returns that of the fields in these packets, in their order."""
-        return cls(len(packet), 1 + int(np.count_nonzero(np.diff(packet))), int(packet[0]), int(packet[-1]))
+    share: Share
 
     def and_(self, other: _Span) -> _Span:
-        rows, packets = self.rows + other.rows, self.packets + other.packets
-        return _Span(rows, packets, min(self.first, other.first), max(self.last, other.last))
+        """Returns both; the other fields are later in the log."""
+        return _Span(self.rows + other.rows, self.share.and_(other.share))
 
 
 def ordered_types(log: Packets) -> list[TypeCount]:
     """Returns the types in the order of sets and descriptors; fields that cannot be decoded are last in each set."""
-    rate = _Rates(log).of
+    rates = _Rates(log)
     return [
-        TypeCount(n, d, kind, name, span.rows, rate(n, span) if kind else None)
-        for n, d, kind, name, span in _types(log)
+        TypeCount(n, d, kind, name, span.rows, rates.of(n, span.share) if kind else None)
+        for n, d, kind, name, span in _types(log, rates.number)
     ]
 
 
@@ -57,19 +50,21 @@ class _Rates:
     """The intervals between the packets of each set, by the same clock as in `mip info`."""
 
     def __init__(self, log: Packets) -> None:
-        self._log = log
         self._intervals: dict[int, Intervals] = {}
-        pieces = [(piece.sets, piece.number) for piece in log.pieces()]
-        self._sets = np.concatenate([sets for sets, _ in pieces]) if pieces else np.zeros(0, np.uint8)
+        pieces = [piece.sets for piece in log.pieces()]
+        sets = np.concatenate(pieces) if pieces else np.zeros(0, np.uint8)
+        #: The number of the instant of each packet, in its set.
+        self.number = np.zeros(len(sets), np.int64)
+        for number in log.sets():
+            stamps = times.steady_timestamps(log, number) if number >= 0x80 else None
+            if stamps is not None:
+                packets, made = np.flatnonzero(sets == number), Intervals()
+                self.number[packets] = made.add_set(packets, stamps, {})
+                self._intervals[number] = made
 
-    def of(self, number: int, span: _Span) -> float | None:
+    def of(self, number: int, share: Share) -> float | None:
         """Returns the rate of some fields of a set, in Hz."""
-        if number < 0x80:
-            return None
-        if number not in self._intervals:
-            self._intervals[number] = times.intervals(self._log, number)
-        same = np.count_nonzero(self._sets[span.first : span.last + 1] == number)
-        return self._intervals[number].rate_of(span.packets, int(same))
+        return self._intervals[number].rate_of_share(share) if number in self._intervals else None
 
 
 def decodable(log: Packets) -> list[tuple[int, type[Field]]]:
@@ -77,13 +72,13 @@ def decodable(log: Packets) -> list[tuple[int, type[Field]]]:
     return [(n, kind) for n, _, kind, *_ in _types(log) if kind is not None]
 
 
-def _types(log: Packets) -> list[tuple[int, int, type[Field] | None, str, _Span]]:
+def _types(log: Packets, numbers: Array | None = None) -> list[tuple[int, int, type[Field] | None, str, _Span]]:
+    """`numbers`: the number of the instant of each packet, if the rates matter."""
     rows: list[tuple[int, int, type[Field] | None, str, _Span]] = []
-    for (number, descriptor), lengths in sorted(_lengths(log).items()):
-        every = _together(list(lengths.values()))
+    for (number, descriptor), (every, lengths) in sorted(_lengths(log, numbers).items()):
         left = every.rows
         for kind in registry.types(number, descriptor):
-            span = _decodable(log, number, kind, lengths)
+            span = _decodable(log, number, kind, every, lengths, numbers)
             if span is not None:
                 rows.append((number, descriptor, kind, kind.name_in(number), span))
                 left -= span.rows
@@ -93,33 +88,35 @@ def _types(log: Packets) -> list[tuple[int, int, type[Field] | None, str, _Span]
     return rows
 
 
-def _together(spans: list[_Span]) -> _Span:
-    total = spans[0]
-    for span in spans[1:]:
-        total = total.and_(span)
-    return total
-
-
-def _decodable(log: Packets, number: int, kind: type[Field], lengths: dict[int, _Span]) -> _Span | None:
+def _decodable(
+    log: Packets, number: int, kind: type[Field], every: _Span, lengths: set[int], numbers: Array | None
+) -> _Span | None:
     """Counts the decodable fields of a type; None if there are none."""
     shape = layout.layout(kind)
     if shape is not None and shape.plain and len(registry.types(number, kind.DESCRIPTOR)) == 1:
-        spans = [span for length, span in lengths.items() if length >= shape.dtype.itemsize]
-        return _together(spans) if spans else None
+        long_enough = [length >= shape.dtype.itemsize for length in lengths]
+        if all(long_enough) or not any(long_enough):
+            return every if any(long_enough) else None
     packet = log.column(kind, number).packet
-    return _Span.of(packet) if len(packet) else None
+    return _span(packet, numbers) if len(packet) else None
 
 
-def _lengths(log: Packets) -> dict[tuple[int, int], dict[int, _Span]]:
-    """(set, descriptor) -> length of the data -> the fields."""
-    by_key: dict[tuple[int, int], dict[int, _Span]] = {}
+def _span(packet: Array, numbers: Array | None) -> _Span:
+    """Returns that of the fields in these packets, in their order."""
+    return _Span(len(packet), Share() if numbers is None else Share.of(numbers[packet]))
+
+
+def _lengths(log: Packets, numbers: Array | None) -> dict[tuple[int, int], tuple[_Span, set[int]]]:
+    """(set, descriptor) -> the fields, and the lengths of their data."""
+    by_key: dict[tuple[int, int], tuple[_Span, set[int]]] = {}
     for piece in log.pieces():
-        packets: dict[tuple[int, int, int], list[Array]] = {}
+        packets: dict[tuple[int, int], list[Array]] = {}
+        lengths: dict[tuple[int, int], set[int]] = {}
         for run in piece.runs or ():
-            packets.setdefault((run.set, run.descriptor, run.length), []).append(run.packet + piece.number)
-        for (number, descriptor, length), several in packets.items():
-            span = _Span.of(several[0] if len(several) == 1 else np.sort(np.concatenate(several)))
-            lengths = by_key.setdefault((number, descriptor), {})
-            old = lengths.get(length)
-            lengths[length] = span if old is None else old.and_(span)
+            packets.setdefault((run.set, run.descriptor), []).append(run.packet + piece.number)
+            lengths.setdefault((run.set, run.descriptor), set()).add(run.length)
+        for key, several in packets.items():
+            span = _span(several[0] if len(several) == 1 else np.sort(np.concatenate(several)), numbers)
+            old, known = by_key.get(key, (_Span(0, Share()), set()))
+            by_key[key] = old.and_(span), known | lengths[key]
     return by_key

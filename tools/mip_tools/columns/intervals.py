@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..binding import SECOND
+from .distinct import places_among
+from .stamps import LACKING, NONE, Stamps
 from .timeline import BACK
 
 #: An interval of this many times the usual one is a gap.
@@ -33,6 +35,31 @@ class Place(NamedTuple):
     time: int
 
 
+class Share(NamedTuple):
+    """The instants of a set that have a field: their number, and the numbers of the first and the last one."""
+
+    instants: int = 0
+    first: int = 0
+    last: int = 0
+
+    @classmethod
+    def of(cls, numbers: Any) -> Share:
+        """Returns the instants of some fields, in the order of the log; 0 is none."""
+        numbers = numbers[numbers > 0]
+        return cls(1 + int(np.count_nonzero(np.diff(numbers))), *numbers[[0, -1]].tolist()) if len(numbers) else cls()
+
+    def and_(self, later: Share) -> Share:
+        """Returns these instants and those of fields that are later in the log."""
+        if not self.instants or not later.instants:
+            return self if self.instants else later
+        return Share(self.instants + later.instants - (self.last == later.first), self.first, later.last)
+
+    @property
+    def part(self) -> float:
+        """The share of the instants from the first to the last one that has the field."""
+        return (self.instants - 1) / (self.last - self.first)
+
+
 @dataclass
 class Intervals:
     """The intervals between packets of one kind, in the order of the log."""
@@ -47,6 +74,55 @@ class Intervals:
     _bins: Counter[int] = field(default_factory=Counter)
     _longest: list[Place] = field(default_factory=list)
     _sums: Counter[int] = field(default_factory=Counter)
+    _instants: Counter[int] = field(default_factory=Counter)  # those without a timestamp, by the bin of the step
+    _shares: dict[int, Share] = field(default_factory=dict)
+    _number: int = 0  # of the last instant
+    _at: int = 0  # the number of the last instant with a time
+    _timed: bool = False  # is the last timestamp valid?
+
+    def add_set(self, packets: Any, stamps: Stamps, fields: dict[int, Any]) -> Any:
+        """Adds packets of a set, in the order of the log, with their timestamps; `fields` are the places among them of
+        those that have a field, each once, by any key.
+
+        Returns the number of the instant of each packet. Packets with the same time have the same one, and a packet
+        without a timestamp one of its own: devices may add timestamps seldom. It is 0 while times are not valid.
+        """
+        value = np.full(len(packets), LACKING, np.int64)
+        value[places_among(packets, stamps.packet)] = stamps.value
+        valid, lacks = value > LACKING, value == LACKING
+        last = np.maximum.accumulate(np.where(lacks, -1, np.arange(len(value))))
+        timed = np.where(last < 0, self._timed, valid[last])
+        rows = np.flatnonzero(valid)
+        new = timed & lacks
+        new[rows] = np.diff(value[rows], prepend=value[rows[:1]] if self.last is None else self.last) != 0
+        if self.last is None:
+            new[rows[:1]] = True
+        number = self._number + np.cumsum(new)
+        there = stamps.value != NONE
+        self._lacking(value[rows], number[rows])
+        self.add_all(stamps.value[there], stamps.offset[there])
+        if len(number):
+            self._number, self._timed = int(number[-1]), bool(timed[-1])
+        number = np.where(timed, number, 0)
+        whole = Share.of(number)  # for most fields
+        for key, places in fields.items():
+            share = whole if len(places) == len(number) else Share.of(number[places])
+            if share.instants:
+                self._shares[key] = self._shares.get(key, Share()).and_(share)
+        return number
+
+    def _lacking(self, times: Any, numbers: Any) -> None:
+        """Counts the instants without a timestamp in each step of the time."""
+        steps = np.diff(times, prepend=times[:1] if self.last is None else self.last)
+        rows = np.flatnonzero(steps)
+        numbers = np.append(self._at or numbers[:1], numbers[rows])
+        counts = np.diff(numbers) - 1
+        some = (counts > 0) & (steps[rows] > 0)
+        lengths, which = np.unique(steps[rows][some], return_inverse=True)
+        for step, count in zip(lengths.tolist(), np.bincount(which, counts[some]).tolist()):
+            self._instants[_bin(step)] += round(count)
+        if len(numbers):
+            self._at = int(numbers[-1])
 
     def add_all(self, times: Any, offsets: Any) -> None:
         """Adds packets as NumPy arrays, in the order of the log, with the same result as `add` for each."""
@@ -129,20 +205,30 @@ class Intervals:
 
     @property
     def rate(self) -> float | None:
-        """The rate in Hz, without gaps and jumps."""
+        """The rate in Hz, without gaps and jumps: that of the timestamps, or of a field that occurs more often."""
+        rates = [self._rate(instants=False), *map(self.rate_of, self._shares)]
+        return max((rate for rate in rates if rate is not None), default=None)
+
+    def _rate(self, instants: bool) -> float | None:
+        """The rate in Hz of the timestamps, or of all instants."""
         usual = self.usual
         if usual is None:
             return None
         limit = math.log(usual * SECOND * GAP) * 1000
         near = [place for place in self._bins if place <= limit]
         spent = sum(self._sums[place] for place in near) / SECOND
-        return sum(self._bins[place] for place in near) / spent if spent else None
+        count = sum(self._bins[place] + instants * self._instants[place] for place in near)
+        return count / spent if spent else None
 
-    def rate_of(self, packets: int, of: int) -> float | None:
-        """Returns the rate in Hz of a field that some of these packets contain: `packets` of the `of` packets of the
-        set from the first to the last one that does."""
-        rate = self.rate
-        return None if rate is None or of < 2 else rate * (packets - 1) / (of - 1)
+    def rate_of(self, key: int) -> float | None:
+        """Returns the rate in Hz of a field that was added by a key."""
+        share = self._shares.get(key)
+        return None if share is None else self.rate_of_share(share)
+
+    def rate_of_share(self, share: Share) -> float | None:
+        """Returns the rate in Hz of a field that some instants have, from the first to the last one that does."""
+        rate = self._rate(instants=True)
+        return None if rate is None or share.last <= share.first else rate * share.part
 
     @property
     def gaps(self) -> tuple[int, float, list[Place]]:

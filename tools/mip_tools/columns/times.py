@@ -11,7 +11,6 @@ import numpy as np
 from ..binding import CLOCKS, REACH
 from . import timeline
 from .column import Column
-from .intervals import Intervals
 from .packets import Packets
 from .raw_times import raw
 from .scan import Array
@@ -66,17 +65,11 @@ def of_packets(log: Packets, clock: str) -> Array:
     return values
 
 
-def intervals(log: Packets, set_number: int) -> Intervals:
-    """Returns the intervals between the packets of a set, by the first of the log's clocks that the set has."""
+def steady_timestamps(log: Packets, set_number: int) -> Stamps | None:
+    """Returns the timestamps of a set by the first of the log's clocks that the set has; None if it has none."""
     line = timeline.of_log(log)
-    made = Intervals()
-    for clock in line.clocks(line.sets).in_order:
-        stamps_of_set = read_timestamps(log, set_number, clock)
-        there = stamps_of_set.value != NONE
-        if there.any():
-            made.add_all(stamps_of_set.value[there], stamps_of_set.offset[there])
-            break
-    return made
+    every = (read_timestamps(log, set_number, clock) for clock in line.clocks(line.sets).in_order)
+    return next((stamps_of_set for stamps_of_set in every if stamps_of_set.some), None)
 
 
 def at(log: Packets, set_number: int, clock: str, packet: Array, offset: Callable[[], Array]) -> tuple[Array, Array]:

@@ -11,12 +11,12 @@ import numpy as np
 
 from ..binding import CLOCKS, SECOND
 from ..columns import Log, timeline, times
-from ..columns.distinct import distinct
+from ..columns.distinct import distinct, places_among
 from ..columns.intervals import Intervals
 from ..columns.scan import Array
 from ..columns.stamps import NONE
 from ..logs import inputs, recognize
-from ..logs.report import Kind, count_malformed
+from ..logs.report import count_malformed
 from ..text.clocks import dated
 from ..text.decoding import name_of
 from ..text.numbers import hertz
@@ -88,7 +88,6 @@ class Examination:
         self._values = Values()
         self._sets: dict[int, _Set] = {}
         self._in_order = line.clocks(line.sets).in_order
-        self._kinds: dict[Key, Kind] = {}
         self._rhythms: dict[Key, Rhythm] = {}
         self._origins: dict[str, tuple[int, int]] = {}  # clock -> the offset of its first time, and this time
         self._latest: dict[str, tuple[int, int]] = {}  # clock -> the offset of its last time, and this time
@@ -134,8 +133,9 @@ class Examination:
         result.events = merged_events([*self._events, *self._values.events()])
         result.untimed = [n for n, state in self._sets.items() if not state.base and not result.times[n].stamped]
         rates = {
-            key: self._sets[key[0]].intervals.rate_of(kind.packets, kind.last - kind.first + 1)
-            for key, kind in self._kinds.items()
+            (number, descriptor): self._sets[number].intervals.rate_of(descriptor)
+            for number, descriptor in result.names
+            if number in self._sets
         }
         result.rates = {key: rate for key, rate in rates.items() if rate}
         result.sentences = self._skipped.sentences
@@ -247,14 +247,10 @@ class Examination:
         state, valid = self._sets[number], self.result.times[number].valid
         clock = next((clock for clock in self._in_order if valid.get(clock)), "")
         if clock:
-            packets, time = part.valid(number, clock)
-            state.intervals.add_all(time, part.at[packets])
-        for key in [key for key in part.packets if key[0] == number]:
-            packets = distinct(part.packets[key])
-            kind = self._kinds.setdefault(key, Kind(""))
-            first, last = (state.count + part.before(number, int(packets[i])) for i in (0, -1))
-            kind.packets += len(packets)
-            kind.first, kind.last = first if kind.first < 0 else kind.first, last
+            own = part.sets[number]
+            having = {key[1]: distinct(packets) for key, packets in part.packets.items() if key[0] == number}
+            fields = {descriptor: places_among(own, packets) for descriptor, packets in having.items()}
+            state.intervals.add_set(own, times.read_timestamps(part.log, number, clock), fields)
 
     # ------------------------------------------------------------------ rhythms
 

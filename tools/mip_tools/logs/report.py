@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -9,10 +10,10 @@ import numpy as np
 
 from ..binding import CLOCKS, OVERHEAD, RawField
 from ..columns.between import Gaps
+from ..columns.distinct import places_among
 from ..columns.intervals import Intervals
 from ..columns.raw_times import raw
-from ..columns.scan import HEADER
-from ..columns.stamps import NONE
+from ..columns.scan import HEADER, Array
 from ..columns.timeline import DEVICE, Clocks, Timeline
 from ..sentences import Sentences
 from ..text.decoding import DecodedField, decoded_field, name_of
@@ -32,9 +33,6 @@ class Kind:
 
     name: str
     count: int = 0
-    packets: int = 0  # that have any
-    first: int = -1  # the number of the first of them, in the set
-    last: int = -1
 
 
 @dataclass
@@ -71,8 +69,8 @@ class Report:
 
     def rate(self, number: int, descriptor: int) -> float | None:
         """Returns the rate of a field in Hz."""
-        kind, times = self.fields[number, descriptor], self.times.get(number)
-        return times.rate_of(kind.packets, kind.last - kind.first + 1) if times else None
+        times = self.times.get(number)
+        return times.rate_of(descriptor) if times else None
 
 
 def report_on(log: Log) -> Report:
@@ -80,11 +78,16 @@ def report_on(log: Log) -> Report:
     report, between = Report(), _Between()
     progress = inputs.Progress(log.size)
     for part in log.parts(PART):
+        sets: list[Array] = []
+        packets: dict[tuple[int, int], list[Array]] = {}
         for piece in part.pieces():
             progress.at(piece.begin)
             between.add(piece)
-            _add(report, piece)
-        _add_times(report, part)
+            sets.append(piece.sets)
+            for key, has in _add(report, piece):
+                if key[0] >= 0x80:
+                    packets.setdefault(key, []).append(has + piece.number)
+        _add_times(report, part, sets, {key: np.concatenate(own) for key, own in packets.items()})
     if not any(times.alone.get(DEVICE) for times in report.timeline.sets.values()) and DEVICE in CLOCKS:
         report.clocks[DEVICE] = {}
     if log.whole() is log:
@@ -126,17 +129,13 @@ def count_malformed(piece: Piece) -> int:
     return int((covered != piece.end - piece.at - OVERHEAD).sum())
 
 
-def _add(report: Report, piece: Piece) -> None:
-    """Counts the packets of a piece, and their fields."""
+def _add(report: Report, piece: Piece) -> Iterator[tuple[tuple[int, int], Array]]:
+    """Counts the packets of a piece, and their fields. Yields the packets that have each field."""
     count = len(piece.at)
     report.packets += count
-    sets = piece.sets
-    numbers = {}  # of the packets in their set
-    for number, several in enumerate(np.bincount(sets).tolist()):
+    for number, several in enumerate(np.bincount(piece.sets).tolist()):
         if several:
-            before = report.sets.get(number, 0)
-            report.sets[number] = before + several
-            numbers[number] = before - 1 + np.cumsum(sets == number)
+            report.sets[number] = report.sets.get(number, 0) + several
     report.malformed += count_malformed(piece)
     fields: dict[tuple[int, int], list[Any]] = {}
     for run in piece.runs or ():
@@ -144,14 +143,11 @@ def _add(report: Report, piece: Piece) -> None:
     for key, runs in fields.items():
         if key not in report.fields:
             report.fields[key] = Kind(name_of(first(piece, runs)))
-        kind = report.fields[key]
         has = np.zeros(count, bool)
         for run in runs:
-            kind.count += len(run.packet)
+            report.fields[key].count += len(run.packet)
             has[run.packet] = True
-        kind.packets += int(has.sum())
-        own = numbers[key[0]][has]
-        kind.first, kind.last = int(own[0]) if kind.first < 0 else kind.first, int(own[-1])
+        yield key, np.flatnonzero(has)
 
 
 def first(piece: Piece, runs: list[Any]) -> DecodedField:
@@ -163,15 +159,15 @@ def first(piece: Piece, runs: list[Any]) -> DecodedField:
     return decoded_field(RawField(run.set, run.descriptor, data))
 
 
-def _add_times(report: Report, part: Log) -> None:
-    """Adds the times of the packets of each set."""
+def _add_times(report: Report, part: Log, sets: list[Array], packets: dict[tuple[int, int], Array]) -> None:
+    """Adds the times of the packets of each set; `packets` are those that have each field."""
     report.timeline.add(part)
+    set_of = np.concatenate(sets) if sets else np.zeros(0, np.uint8)
     for number in sorted(n for n in report.sets if n >= 0x80):
+        own = np.flatnonzero(set_of == number)
+        fields = {key[1]: places_among(own, has) for key, has in packets.items() if key[0] == number}
         for clock in CLOCKS:
             device = clock == DEVICE  # also of packets with a date: there may be others later
             stamps = report.timeline.stamps(part, number) if device else raw(part, number, clock)
-            valid = stamps.value != NONE
-            if stamps.some:
-                sets = report.clocks[clock]
-                intervals = sets.setdefault(number, Intervals())
-                intervals.add_all(stamps.value[valid], stamps.offset[valid])
+            if stamps.some or number in report.clocks[clock]:
+                report.clocks[clock].setdefault(number, Intervals()).add_set(own, stamps, fields)
