@@ -19,9 +19,12 @@ from typing import Any
 import pytest
 from mip_protocol import sensor
 from mip_tools import read_log
+from mip_tools.columns import tables
 from mip_tools.columns.raw_times import raw
 from mip_tools.columns.stamps import NONE
 from mip_tools.doctor.stream import examine_log
+from mip_tools.formats import live
+from mip_tools.logs import inputs
 from program import mip, reply, simulated
 from support import heavy, later
 from timed_packets import cases_of_devices, packet
@@ -537,6 +540,24 @@ def test_the_rate_of_a_field_is_one_in_all_tools(tmp_path: Path) -> None:
         assert {examined.names[key]: rate for key, rate in examined.rates.items()} == pytest.approx(found)
         found |= {one["name"]: one["rate"] for one in report["sets"]}
         assert {name: found[name] for name in rates} == pytest.approx(rates, rel=0.2 if logged is packets else 1e-6)
+
+
+@pytest.mark.parametrize("name", ["restarted", "reference clock restarted"])
+@pytest.mark.parametrize("words", [("export", "-o", "-"), ("stream", "--format", "csv")])
+@pytest.mark.parametrize("part", [1 << 20, 500, 26 * 3])
+def test_time_continues_when_the_clock_restarts(
+    name: str, words: tuple[str, ...], part: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Seconds from the start, as `cut` counts them; the duration is that of both spans."""
+    monkeypatch.setattr(tables, "PART", part)
+    monkeypatch.setattr(live, "_MOST", part)  # each batch of a stream is a log of its own
+    monkeypatch.setattr(inputs, "_BATCH", part)
+    path = written(tmp_path, *CASES[name].packets)
+    rows = csv.DictReader(io.StringIO(mip(words[0], path, *words[1:], "--time", "start")[1]))
+    near([float(row["time_device [s]"]) for row in rows], [t if t < 0.295 else t - STEP for t in TIMES])
+    assert "60 packets in 0.6 s" in mip("doctor", path)[1]
+    (own,) = json.loads(mip("info", path, "--json")[1])["sets"]
+    assert own["seconds"] == pytest.approx(0.58)
 
 
 def test_many_packets_of_one_time_are_no_stuck_clock(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 import math
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -242,6 +243,19 @@ class Intervals:
         missing = sum(self._sums[place] for place in wide) / SECOND - usual * count
         places = [p for p in self._longest if p.seconds > usual * GAP]
         return count, missing, sorted(places, key=lambda p: p.offset)
+
+
+def common_spans(sets: Iterable[Intervals]) -> list[tuple[int, int]]:
+    """Returns the times of all sets together, from each restart of their clock to the next."""
+    spans = [intervals.spans for intervals in sets]
+    most = max(map(len, spans), default=0)
+    alike = [own for own in spans if len(own) == most]
+    return [(min(s[i][0] for s in alike), max(s[i][1] for s in alike)) for i in range(most)]
+
+
+def seconds_of(spans: Iterable[tuple[int, int]]) -> float:
+    """Returns the seconds in some spans."""
+    return sum(last - first for first, last in spans) / SECOND
 
 
 def _bin(step: int) -> int:

@@ -51,6 +51,7 @@ class Table(NamedTuple):
 
     columns: list[Series]
     types: list[tuple[slice, Array]]  # for each type, its columns, and the rows that have it
+    begin: Array  # the offset of the first packet of each row
 
     def __len__(self) -> int:
         return len(self.columns[0].values) if self.columns else 0
@@ -242,7 +243,7 @@ def _table(
             there[place] = True
             columns.append(Series(column_heading(column, "", single), there, None, {}))
         types.append((slice(first, len(columns)), place))
-    return Table(columns, types)
+    return Table(columns, types, rows.begin[which])
 
 
 def _beside(

@@ -284,7 +284,11 @@ class Timeline:
     def following(self) -> Timeline:
         """Returns the timeline for the next piece of a stream, whose offsets begin with 0."""
         next_one = deepcopy(self)
+        next_one._backs = {clock: [] for clock in CLOCKS}
+        for times in next_one.sets.values():
+            times._last = {clock: (-1, value) for clock, (_, value) in times._last.items()}
         for state in next_one._states.values():
+            state.last = state.last and (-1, *state.last[1:])
             state.begins, state.bases, state.shifts = [-1] * bool(state.begins), state.bases[-1:], state.shifts[-1:]
         return next_one
 

@@ -92,7 +92,7 @@ def _examined(log: Log | bytes, device: str | None = None, model: str | None = N
 
 
 def _print(name: str, examined: Examined, messages: list[Finding]) -> None:
-    span = findings.report_duration(examined)
+    span = examined.seconds
     print(f"{name}: {count_text(examined.packets, 'packet')}{f' in {span:.1f} s' if span else ''}")
     for f in messages:
         print(f"{f.cause}: {f.text}")

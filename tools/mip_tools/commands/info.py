@@ -7,7 +7,6 @@ import json
 import sys
 from typing import TYPE_CHECKING, Any
 
-from ..binding import SECOND
 from ..errors import Failure
 from ..logs import inputs
 from ..logs.assumed import reason_for_no_date, synchronization
@@ -84,11 +83,13 @@ def report_lines(name: str, report: Report) -> list[str]:
 
 
 def _span(report: Report) -> Any:
+    from ..columns.intervals import common_spans, seconds_of
+
     clocks = report.best
     for clock in (clocks.steady, clocks.dated if clocks.undated else ""):
         if clock:
-            spans = _spans(report, clock)
-            spent = sum(last - first for first, last in spans) / SECOND
+            spans = common_spans(report.clocks[clock].values())
+            spent = seconds_of(spans)
             text = ", then ".join(
                 f"{stamp(clock, first, 3)} to {stamp(clock, last, 3)}" for first, last in spans[:_SPANS]
             )
@@ -105,14 +106,6 @@ def _span(report: Report) -> Any:
         yield f"no date: {reason_for_no_date(report.timeline)}"
     yield from synchronization(report.timeline)
     yield from report.assumed
-
-
-def _spans(report: Report, clock: str) -> list[tuple[int, int]]:
-    """Returns the times of all sets together, from each restart of the clock to the next."""
-    sets = [intervals.spans for intervals in report.clocks[clock].values()]
-    most = max(map(len, sets))
-    alike = [spans for spans in sets if len(spans) == most]
-    return [(min(s[i][0] for s in alike), max(s[i][1] for s in alike)) for i in range(most)]
 
 
 def _damage(report: Report) -> Any:
@@ -210,7 +203,7 @@ def as_json(name: str, report: Report) -> dict[str, Any]:
 
 
 def _set_json(report: Report, number: int) -> dict[str, Any]:
-    from ..columns.intervals import Intervals
+    from ..columns.intervals import Intervals, seconds_of
 
     times = report.times.get(number, Intervals())
     count, missing, places = times.gaps
@@ -222,6 +215,7 @@ def _set_json(report: Report, number: int) -> dict[str, Any]:
         "rate": times.rate,
         "first": times.first,
         "last": times.last,
+        "seconds": seconds_of(times.spans),  # without the steps back of a clock that restarts
         "gaps": {"count": count, "seconds": missing, "longest": [p._asdict() for p in places]},
         "backward": {"count": times.backwards, "first": [p._asdict() for p in times.backward]},
     }

@@ -54,6 +54,7 @@ class Examined:
     rates: dict[Key, float] = field(default_factory=dict)  # in Hz, from the last usual interval
     names: dict[Key, str] = field(default_factory=dict)
     spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets arrived, in ns
+    seconds: float = 0.0  # from the first packet to the last by this clock, without its steps back
     sentences: int = 0
     devices: list[str] = field(default_factory=list)  # that have replied
     unnamed: list[str] = field(default_factory=list)  # fields whose flags depend on the device

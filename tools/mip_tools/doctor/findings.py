@@ -153,9 +153,3 @@ def _untimed(examined: Examined) -> Iterator[Finding]:
     for number in examined.untimed:
         text = f"{show.set_name(number)} has no timestamps, so its gaps cannot be found"
         yield Finding("no timestamps", text, "add a timestamp to its message format")
-
-
-def report_duration(examined: Examined) -> float:
-    """Returns the seconds from the first packet to the last, by the clock of the report."""
-    times = [t for spans in examined.spans.values() for span in spans for t in span]
-    return (max(times) - min(times)) / SECOND if times else 0.0

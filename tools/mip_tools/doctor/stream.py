@@ -12,7 +12,7 @@ import numpy as np
 from ..binding import CLOCKS, SECOND
 from ..columns import Log, timeline, times
 from ..columns.distinct import distinct, places_among
-from ..columns.intervals import Intervals
+from ..columns.intervals import Intervals, common_spans, seconds_of
 from ..columns.scan import Array
 from ..columns.stamps import NONE
 from ..logs import inputs, recognize
@@ -137,6 +137,8 @@ class Examination:
             for number, descriptor in result.names
             if number in self._sets
         }
+        same = [s.intervals for n, s in self._sets.items() if result.clock and result.times[n].valid.get(result.clock)]
+        result.seconds = seconds_of(common_spans(same))
         result.rates = {key: rate for key, rate in rates.items() if rate}
         result.sentences = self._skipped.sentences
         result.unnamed = self._flags.unnamed

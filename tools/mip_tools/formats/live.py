@@ -46,9 +46,9 @@ def write_stream(
     host: bool = False,
     gaps: list[float] | None = None,
 ) -> bool:
-    """Writes the fields of a stream until it ends. Has it any? `types`: the columns of CSV; by default the fields in the preview.
-    `host`: with a column of the times when the packets arrive. `gaps`: the seconds, which are added here, for which
-    the port was lost before a packet, as a column or as messages.
+    """Writes the fields of a stream until it ends. Has it any? `types`: the columns of CSV; by default the fields in
+    the preview. `host`: with a column of the times when the packets arrive. `gaps`: the seconds, which are added here,
+    for which the port was lost before a packet, as a column or as messages.
 
     The rows are the same as those of `mip export`, except that an instant that arrives in two pieces has two rows.
     Raises Failure if the columns of CSV are unknown.
@@ -181,7 +181,7 @@ def _write_table(
                 del arrivals[: log.packets]
                 if kinds:
                     for table, _ in tables.table_parts(log, kinds, wanted):
-                        write(started.converted(table.columns))
+                        write(started.converted(table, log))
                 out.flush()
     finally:
         if left_out:

@@ -31,7 +31,7 @@ class TableExport(NamedTuple):
         progress = inputs.Progress(self.log.size)
         for table, end in tables.table_parts(self.log, self.kinds, self.form):
             progress.at(end)
-            yield started.converted(table.columns)
+            yield started.converted(table, self.log)
         progress.clear()
 
 

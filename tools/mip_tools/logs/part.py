@@ -8,6 +8,7 @@ import numpy as np
 
 from ..binding import SECOND
 from ..columns import Log, cut, timeline, times
+from ..columns.continued import Continued
 from ..columns.scan import Array
 from ..columns.sender import identifies
 from ..columns.stamps import NONE
@@ -24,8 +25,7 @@ class Within:
         self._bounds, self._clock = bounds, clock
         self._start: int | None = None
         self._now: int | None = None
-        self._last: int | None = None  # the last time, if no restart had set the clock back
-        self._added = 0  # what the clock lacks since its last restart
+        self._continued = Continued()
         self._read = 0  # packets
         self._count = 0  # packets within the bounds
 
@@ -48,7 +48,8 @@ class Within:
         own = times.of_packets(part, self._clock)
         last = np.maximum.accumulate(np.where(own == NONE, 0, np.arange(1, len(own) + 1)))
         if not clocks.dated(self._clock):
-            self._continue(part, own)
+            restarts = timeline.of_log(part).restarts(self._clock)
+            self._continued.add(own, [part.before_offset(at) for at in restarts if part.begin <= at < part.end])
         time = np.concatenate(([NONE if self._now is None else self._now], own))[last]
         valid = time[time != NONE]
         if len(valid):
@@ -61,18 +62,6 @@ class Within:
         if end is not None:
             within &= time < self._limit(end)
         return np.asarray(np.where(time == NONE, begin is None, within))
-
-    def _continue(self, part: Log, time: Array) -> None:
-        """Lets times continue where the clock restarts."""
-        places = [at for at in timeline.of_log(part).restarts(self._clock or "") if part.begin <= at < part.end]
-        restarts = [part.before_offset(at) for at in places]
-        for begin, end in zip([0, *restarts], [*restarts, len(time)]):
-            there = begin + np.flatnonzero(time[begin:end] != NONE)
-            if len(there):
-                if begin in restarts and self._last is not None:
-                    self._added = self._last - int(time[there[0]])
-                time[there] += self._added
-                self._last = int(time[there[-1]])
 
     def _limit(self, when: When) -> int:
         return when.time + (0 if when.absolute else self._start or 0)
