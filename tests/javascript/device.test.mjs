@@ -348,7 +348,9 @@ test("a stream gets the first timestamp that the device accepts", async () => {
         answering(({ set, descriptor, data }) => {
             const rate = { descriptor: 0x8e, data: Uint8Array.of(data[0], 3, 0xe8), set };
             if (descriptor === 0x0f) formats.push(toHex(data));
-            return descriptor === 0x0f && data[3] !== stamp ? ack(set, descriptor, 3) : [ack(set, descriptor), ...(descriptor === 0x0e ? [rate] : [])];
+            return descriptor === 0x0f && data[3] !== stamp
+                ? ack(set, descriptor, 3)
+                : [ack(set, descriptor), ...(descriptor === 0x0e ? [rate] : [])];
         });
     const rates = [[ScaledGyro, 50], [ScaledAccel, 333.33]]; // biome-ignore format: one line
     for (const [i, stamp] of [0xd5, 0xd7, 0x12, 0xd3, 0x05].entries()) {
