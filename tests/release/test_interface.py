@@ -33,6 +33,8 @@ BREAKS = [
     ("rust/src/sets/sensor.rs", "pub scaled_accel:", "pub accel:",
      "rust: - sets/sensor record!: pub struct ScaledAccel: pub scaled_accel: types::Vector3f"),
     ("rust/src/parser.rs", "pub fn flush", "fn flush", "rust: - parser impl Parser"),
+    ("rust/src/sets/session.rs", "fn stream_only(", "fn stream_all(",
+     "rust: - sets/session impl functions: pub $($async)* fn stream_only("),
     ("python/mip_protocol/sensor.py", "    scaled_accel: types.Vector3f", "    scaled_accel: types.Vector3d",
      "python: - mip_protocol.sensor.ScaledAccel.scaled_accel: types.Vector3f"),
     ("javascript/sensor.d.mts", "    scaledAccel: types.Vector3f;", "    scaledAccel?: types.Vector3f;",

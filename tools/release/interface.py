@@ -251,6 +251,8 @@ def rust(out: Path) -> Iterator[tuple[str, str]]:
         text = text.replace("#[macro_export]\nmacro_rules!", "pub macro_rules!")
         text = re.sub(r"#!?\[(?:[^\[\]]|\[[^\]]*\])*\]", "", text)
         text = text.partition("\n#[cfg(test)]")[0]
+        # What a macro writes once for blocking and asynchronous devices.
+        text = re.sub(r"^macro_rules! (\w+) \{\s*\(.*\) => \{\s*\$\(\$of\)\* \{", r"impl \1 {", text, flags=re.M)
         yield from ((name, f"{name.removesuffix('.rs')} {joined(x)}") for x in declarations(text) if seen(*x))
 
 
