@@ -33,8 +33,8 @@ pub struct Line {
     way: Way,
     place: String,
     /// The baud rate in the address, and that of the port, which a lost one does not tell.
+    named: Option<u32>,
     baud: Option<u32>,
-    rate: Option<u32>,
     start: Instant,
     /// The time of a log's clock.
     log_ms: u32,
@@ -95,12 +95,12 @@ impl Line {
     ///
     /// The port cannot be opened.
     pub fn open(place: &str) -> io::Result<Self> {
-        let (way, baud) = Self::way(place)?;
+        let (way, named) = Self::way(place)?;
         Ok(Self {
             place: place.to_owned(),
-            rate: matches!(way, Way::Serial(_)).then(|| baud.unwrap_or(USUAL)),
+            baud: matches!(way, Way::Serial(_)).then(|| named.unwrap_or(USUAL)),
             way,
-            baud,
+            named,
             start: Instant::now(),
             log_ms: 0,
             record: None,
@@ -166,7 +166,7 @@ impl Line {
     /// Returns the baud rate in the address.
     #[must_use]
     pub const fn named_baud(&self) -> Option<u32> {
-        self.baud
+        self.named
     }
 
     /// Is it a log, which accepts no commands?
@@ -291,11 +291,11 @@ impl Port for Line {
             Err(error) => return Err(error),
         }
         port.clear(serialport::ClearBuffer::Input)?; // received at the old rate
-        self.rate = Some(rate);
+        self.baud = Some(rate);
         Ok(true)
     }
 
     fn baud(&self) -> Option<u32> {
-        self.rate
+        self.baud
     }
 }

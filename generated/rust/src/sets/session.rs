@@ -209,7 +209,7 @@ fn quotient(base: u16, decimation: u16) -> f32 {
 
 /// Is the wanted rate this one, but for a ten-thousandth of it? 333.33 Hz is 1000 Hz / 3. To compare
 /// floats, a microcontroller may need a function of the compiler.
-const fn same(wanted: f32, rate: f32) -> bool {
+fn same(wanted: f32, rate: f32) -> bool {
     let off = wanted.to_bits().abs_diff(rate.to_bits());
     off.saturating_mul(10_000) <= wanted.to_bits() & 0x7F_FFFF | 0x80_0000
 }
