@@ -40,6 +40,10 @@ UNREACHABLE = {
         "test_witness.py::test_command_line",
     "checks: problems.add(model.protocol.acknowledge.position, 'no set contains a field; add one to a file in sets/')":
         "test_no_field_at_all",
+    "loader: problems.add(Position(shown, 1, 1), 'the name of this file is not UTF-8 text; rename it')":
+        "test_what_is_no_file_and_a_name_that_is_no_text",
+    "loader: problems.add(Position(shown, 1, 1), 'this is not a file')":
+        "test_what_is_no_file_and_a_name_that_is_no_text",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
         "test_a_folder_in_place_of_a_file",
     "evidence: raise Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":

@@ -371,6 +371,21 @@ def test_the_same_files_in_other_folders_are_another_input(tmp_path: Path) -> No
     assert stamp.run_key([first, second]) != before
 
 
+def test_files_behind_links_are_an_input_too(tmp_path: Path) -> None:
+    """A folder may be a link, even to what contains it; a pipe is not read, as it would never end."""
+    spec, real = tmp_path / "spec", tmp_path / "real"
+    for folder in (spec, real):
+        folder.mkdir()
+    (spec / "sets").symlink_to(real)
+    (real / "again").symlink_to(spec)
+    os.mkfifo(spec / "pipe")
+    keys = []
+    for name in ("sets/a.yaml", "sets/.hidden"):
+        keys.append(stamp.run_key([spec]))
+        (spec / name).write_text(name)
+    assert len({*keys, stamp.run_key([spec])}) == 3
+
+
 # --------------------------------------------------------------------------- processes
 
 

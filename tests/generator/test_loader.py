@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 from pathlib import Path
@@ -116,6 +117,18 @@ def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
     (tmp_path / "sets/odd.yaml").mkdir(parents=True)
     with pytest.raises(SpecError, match=r"sets/odd.yaml:1:1: error: cannot be read: Is a directory"):
         load_model(tmp_path)
+
+
+def test_what_is_no_file_and_a_name_that_is_no_text(tmp_path: Path) -> None:
+    spec = Path(shutil.copytree(BASE, tmp_path / "spec"))
+    os.mkfifo(spec / "sets/pipe.yaml")
+    shutil.copy(spec / "protocol.yaml", os.fsdecode(os.fsencode(spec) + b"/sets/odd\xff.yaml"))
+    with pytest.raises(SpecError) as caught:
+        load_model(spec)
+    assert [(p.file.rpartition("sets/")[2], p.message) for p in caught.value.problems] == [
+        ("odd\\udcff.yaml", "the name of this file is not UTF-8 text; rename it"),
+        ("pipe.yaml", "this is not a file"),
+    ]
 
 
 def test_files_that_are_not_of_the_specification(tmp_path: Path) -> None:

@@ -186,6 +186,12 @@ def test_what_is_certain() -> None:
     assert own - {s.field.full_name for s in d.certain} == {"3dm.gyro_bias"}  # shares the response of capture_gyro_bias
 
 
+def test_sets_that_a_device_has_whole_are_narrowed() -> None:
+    for s in REAL.sets:
+        part = select(REAL, Selection(sets=(s.name,)))
+        assert {x.name for d in part.devices for x in d.complete} <= {x.name for x in part.sets}
+
+
 def test_what_was_left_out() -> None:
     part = select(REAL, Selection(sets=("base",)))
     line = left_out(REAL, part)
@@ -209,6 +215,10 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
         ),
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
         (Selection(certain=True), "--certain requires a device; add --device"),
+        (
+            Selection(devices=("3dm-mv5-ar",), certain=True),
+            "no command or data field of 3DM-MV5-AR is certain: leave out --certain, or add another --device",
+        ),
         (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
         *(
             (

@@ -27,7 +27,7 @@ def root() -> Path:
 
 
 def files_in(folder: Path, under: str = "") -> Iterator[tuple[str, Path]]:
-    """Yields all files below a folder with their paths, in order, without hidden files and Python's caches."""
+    """Yields all files below a folder with their paths, in order, without hidden folders and Python's caches."""
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.is_file():
             yield under + entry.name, entry

@@ -16,7 +16,7 @@ from collections.abc import Callable
 #: in tools/ work with any package and keep their names. Each alternative begins with a letter, for which `re` searches
 #: ten times as fast as for a condition on what is before it.
 _NAMES = (
-    r"m(?:(?<=\bm)|(?<=-Dm))ip(?:_(?!tools\b)|-(?=protocol\b)|(?=/(?:\w+/)?\w+\.h\b|::mip\b))|m(?<=mip::m)ip\b"
+    r"m(?:(?<=\bm)|(?<=-Dm))ip(?:_(?!(?:tools|simulator)\b)|-(?=protocol\b)|(?=/(?:\w+/)?\w+\.h\b|::mip\b))|m(?<=mip::m)ip\b"
     r"|M(?:(?<=\bM)|(?<=-DM))IP_(?!PACKAGE\b|WORKBENCH\b)"
 )
 #: The name alone as the name of a library or a module: `-lmip`, `libmip`, `mipConfig.cmake`, `CONFIG_MIP`.
@@ -31,8 +31,8 @@ _EVERYWHERE = re.compile(f"{_NAMES}|{_ALONE}")
 
 def in_source(text: str, package: str) -> str:
     """
-    >>> in_source("mip_protocol.mip_3dm, mip-protocol, MIP_OK, <mip/core.h>, mip_tools, mipgen, mip send", "a_b")
-    'a_b_protocol.a_b_3dm, a-b-protocol, A_B_OK, <a_b/core.h>, mip_tools, mipgen, mip send'
+    >>> in_source("mip_protocol.mip_3dm, mip-protocol, MIP_OK, <mip/core.h>, mip_tools, mip_simulator, mip send", "a_b")
+    'a_b_protocol.a_b_3dm, a-b-protocol, A_B_OK, <a_b/core.h>, mip_tools, mip_simulator, mip send'
     """
     return _IN_SOURCE.sub(_for(package), text)
 

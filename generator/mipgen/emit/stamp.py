@@ -90,12 +90,16 @@ def _digest(data: bytes) -> str:
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    """Yields all files below a folder, in order, except hidden ones."""
-    for place, folders, files in os.walk(folder):
-        folders[:] = sorted(f for f in folders if f[0] != ".")
-        for file in sorted(f for f in files if f[0] != "."):
+    """Yields all files below a folder, in order, except those in hidden folders. Folders may be links."""
+    seen = {os.path.realpath(folder)}
+    for place, folders, files in os.walk(folder, followlinks=True):
+        real = {f: os.path.realpath(os.path.join(place, f)) for f in sorted(folders) if f[0] != "."}
+        folders[:] = [f for f, path in real.items() if path not in seen]
+        seen.update(real.values())
+        for file in sorted(files):
             path = Path(place, file)
             try:
-                yield path.relative_to(folder).as_posix(), path.read_bytes()
+                data = path.read_bytes() if path.is_file() else b"no file"  # a pipe would never end
             except OSError:
-                yield path.relative_to(folder).as_posix(), b"unreadable"
+                data = b"unreadable"
+            yield path.relative_to(folder).as_posix(), data

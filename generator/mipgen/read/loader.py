@@ -70,6 +70,13 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
     for kind, pattern in layout.items():
         for path in _visible(folder.glob(pattern)):
             name = path.relative_to(folder).as_posix()
+            shown = display_path(path).encode("utf-8", "backslashreplace").decode()
+            if not name.isprintable():
+                problems.add(Position(shown, 1, 1), "the name of this file is not UTF-8 text; rename it")
+                continue
+            if path.exists() and not path.is_file() and not path.is_dir():  # a pipe would never end
+                problems.add(Position(shown, 1, 1), "this is not a file")
+                continue
             root = read(path, display_path(path), problems)
             if root is None:
                 continue

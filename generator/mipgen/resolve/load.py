@@ -140,6 +140,14 @@ def _selector(functions: Iterable[m.Function]) -> m.Enum:
     return m.Enum("function_selector", m.SCALARS["u8"], values, "The operation that a settings command requests.", None)
 
 
+def _is_command_and_code(parameters: tuple[m.Parameter, ...]) -> bool:
+    """Is it the acknowledge that all clients read? They know it by two bytes at fixed places."""
+    if [p.kind for p in parameters] != ["scalar", "scalar"]:
+        return False
+    command, code = parameters
+    return command.size == code.size == 1 and not command.named and isinstance(code.element, m.Enum)
+
+
 def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], problems: Problems) -> m.Protocol:
     node = root["acknowledge"]
     record = types.record(list(node["parameters"]), None)
@@ -147,6 +155,11 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
     if len(codes) != 1:
         problems.add(node.keys["parameters"], "the acknowledge field needs exactly one enumeration: the code")
         codes.append(types.vocabulary.selector)  # as a substitute, to find further problems
+    elif not _is_command_and_code(record.parameters):
+        problems.add(
+            node.keys["parameters"],
+            "the acknowledge field needs two parameters of one byte: the command's descriptor, a u8, and the code",
+        )
     cited = sources_of_node(node, types.vocabulary, problems)
     acknowledge = m.Field(
         family="protocol", occurrences=(m.Occurrence(0, "protocol", node["title"].value, cited),),

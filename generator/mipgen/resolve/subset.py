@@ -38,6 +38,10 @@ def select(model: m.Model, selection: Selection) -> m.Model:
     _check(model, selection)
     needed = _needed(model, _asked(model, selection), selection.devices)
     devices = tuple(d for d in model.devices if not selection.devices or d.id in selection.devices)
+    if not needed:
+        named = ", ".join(d.title for d in devices)
+        what = "certain: leave out --certain, or add" if selection.certain else "known: add"
+        raise Failure(f"no command or data field of {named} is {what} another --device")
     return _only(model, needed, devices)
 
 
@@ -213,6 +217,7 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
         evidence=tuple(e for e in d.evidence if any(s.evidence == e for s in (*supports, *refuses))),
         supports=supports,
         refuses=refuses,
+        complete=tuple(sets[s.name] for s in d.complete if s.name in sets),
         base_rates=tuple(replace(r, set=sets[r.set.name]) for r in d.base_rates if r.set.name in sets),
         variants=tuple(replace(v, field=named[v.field.full_name]) for v in d.variants if v.field.full_name in named),
     )
