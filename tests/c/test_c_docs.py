@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from c_build import folder
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.c import calls, members, names
@@ -178,6 +179,16 @@ def test_every_fact_is_told(spec: str) -> None:
         if name not in found or text not in found[name]
     ]
     assert not missing, "\n".join(missing[:20])
+
+
+@both
+def test_links_of_pages_lead_to_files(spec: str) -> None:
+    """Of the examples, a library of other fields has none."""
+    pages = [*folder(spec).rglob("*.md")]
+    links = {
+        page.parent / x for page in pages for x in re.findall(r"\]\((?!\w+:|#)([^)#\s]+)[)#]", page.read_text("utf-8"))
+    }
+    assert links and not [str(x) for x in links if not x.exists()]
 
 
 @both
