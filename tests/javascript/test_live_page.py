@@ -95,7 +95,8 @@ def test_identify_stream_and_see(page: browser.Page) -> None:
         assert page.run("document.querySelector('.mip-identity').dataset.device") == DEVICE
         started(page)
         names = page.run("data('.mip-each > .mip-reading', 'field')")
-        assert sorted(names) == sorted(part.split("@")[0] for part in STREAMS.split(","))
+        wanted = [part.split("@")[0] for part in STREAMS.split(",")]
+        assert sorted(set(names)) == sorted([*wanted, "shared.reference_timestamp"])  # of each set
         values = page.run("texts('[data-field=\"sensor.scaled_accel\"] dd')")
         assert len(values) == 3 and math.isclose(float(values[2].removesuffix(" g")), -1, abs_tol=0.05)
         # The plots and the picture are not empty: they have pixels.
@@ -215,7 +216,7 @@ def test_by_keyboard_alone(page: browser.Page) -> None:
         page.run("document.querySelector('.mip-status').focus()")
         assert tabbed(page, "Start")[0] == "Disconnect"
         key(page, "Enter", 13, "\r")
-        page.run("until(() => document.querySelectorAll('.mip-each > .mip-reading').length === 1)")
+        page.run("until(() => document.querySelectorAll('.mip-each > .mip-reading:not(.mip-last)').length === 1)")
         assert tabbed(page, "plot")[:2] == ["Stop", "Record"]
         page.run("document.querySelector('.mip-status').focus()")
         tabbed(page, "Stop")
@@ -241,7 +242,7 @@ def test_unplugged_and_plugged_in_again(page: browser.Page) -> None:
         assert page.run("saved[0].size") > 100
         page.run("press('Connect again')")
         page.run("until(() => text('.mip-status') === 'Connected to 3DM-CV7-GNSS/INS.')")
-        page.run("until(() => document.querySelectorAll('.mip-each > .mip-reading').length === 5)")
+        page.run("until(() => document.querySelectorAll('.mip-each > .mip-reading:not(.mip-last)').length === 5)")
     page.run("until(() => /mip serve has ended/.test(text('.mip-status')))")
     page.run("press('Connect again'); until(() => /^Not connected: .*cannot be reached/.test(text('.mip-status')))")
     assert all("WebSocket" in one for one in page.complaints)
