@@ -17,7 +17,6 @@ from mipgen import model as m
 from mipgen.emit import naming
 from mipgen.lower import codec
 from mipgen.read.problems import Problems
-from mipgen.resolve.subset import Selection, select
 from mipgen.targets import markdown
 from reference import (
     ANCHOR,
@@ -286,13 +285,6 @@ def test_text_is_never_markup() -> None:
 
 
 # --------------------------------------------------------------------------- the folder and the site
-
-
-def test_a_device_without_certain_fields() -> None:
-    manual = made(select(model("invented"), Selection(devices=("old-2",), certain=True)))
-    assert not manual.model.fields
-    assert "devices/old-2.md" in manual.page("index.md")
-    test_tables_are_whole(manual)
 
 
 @pytest.mark.parametrize("path", ["generated/markdown/hooks.py", "docs/pages.py"])
