@@ -381,6 +381,9 @@ test("the times of a device are those of its model, once that is known", async (
     assert.deepEqual([device.model, await clocks()], [undefined, [true, false]]);
     await assert.rejects(device.stream([[ScaledAccel, 100]]), { kind: "refused" });
     assert.deepEqual([device.model, await clocks()], ["3dm-gx5-25", [false, true]]);
+    responses[3] = informed("3DM-NEW", "".padEnd(9), "6299-0000".padEnd(16), "6253.4220");
+    await device.request(new GetDeviceInfo());
+    assert.equal(device.model, undefined); // the serial number does not count beside a model number
     device.model = "3dm-cv7-ahrs"; // whatever it answers
     await device.request(new GetDeviceInfo());
     assert.deepEqual([device.model, await clocks()], ["3dm-cv7-ahrs", [true, false]]);

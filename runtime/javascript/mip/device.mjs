@@ -167,10 +167,8 @@ export class Device {
         const kind = command.constructor;
         if (!accepted || kind.SILENCED_BY.length) return;
         if (response && session && !this.#named && kind === session.identify().constructor) {
-            this.#model = session
-                .modelNumbers(response)
-                .map((text) => session.models[modelNumber(text)])
-                .find(Boolean);
+            // The serial number counts only if there is no model number, not if that of a newer model is not known.
+            this.#model = session.models[session.modelNumbers(response).map(modelNumber).find(Boolean)];
             this.#identified = true;
         }
         const selector = kind.layout.calls ? Number(command.function) : null; // not undefined, as SAVE may be
