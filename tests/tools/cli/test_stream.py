@@ -198,7 +198,7 @@ def test_it_ends_cleanly(place: str) -> None:
         assert b"scaled_accel" in process.stdout.readline()
         process.send_signal(signal.SIGINT)
         rest, error = process.communicate(timeout=PATIENCE)
-        assert process.returncode == 0 and (not error or TOLD.fullmatch(error.decode()))
+        assert process.returncode == 0 and (not error or TOLD.fullmatch(error.decode().rstrip("\n") + "\n"))
         assert not rest or rest.endswith(b"\n")
     with running(*words) as process:
         assert process.stdout is not None and process.stderr is not None
