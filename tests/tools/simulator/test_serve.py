@@ -336,6 +336,12 @@ def test_a_wrong_baud_rate_garbles_both_ways() -> None:
         channel.collect()
         channel.send(0.0)
         assert peer.received == data and not peer.shown  # the rate is the client's own
+    peer.speed, peer.received, link.waiting, link.baud = 115200, b"", b"ACK", 9600
+    channel.collect()
+    link.waiting = b"data"
+    channel.collect()
+    channel.send(0.0)
+    assert peer.received == b"ACK????", "the ACK of a change still has the old rate"
 
 
 def test_strict_rates_of_a_terminal() -> None:

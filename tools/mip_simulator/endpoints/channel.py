@@ -74,14 +74,15 @@ class Channel:
 
     def collect(self) -> None:
         """Collects the bytes that the device has sent. If there is no room, drops the oldest packets."""
-        if self.link.baud != self._baud:
-            self._baud = self.link.baud
-            if self._baud and self._garble is None:
-                self.peer.set_speed(self._baud)
         chunk = self.link.read()
+        if self._baud is None:
+            self._follow()
+        if chunk and self._garble and self._mismatch:
+            chunk = self._garble(chunk)
+        self._follow()  # the ACK of a change was sent at the old rate
         if not chunk:
             return
-        self._queue.append(self._garble(chunk) if self._garble and self._mismatch else chunk)
+        self._queue.append(chunk)
         self._size += len(chunk)
         while self._size > self._capacity and len(self._queue) > 1:
             first = 1 if self._started else 0  # a chunk that is sent in part is finished
@@ -91,6 +92,13 @@ class Channel:
             del self._queue[first]
             self._size -= len(lost)
             self.dropped += len(Parser().feed(lost)) or 1
+
+    def _follow(self) -> None:
+        """Adopts the baud rate of the device."""
+        if self.link.baud != self._baud:
+            self._baud = self.link.baud
+            if self._baud and self._garble is None:
+                self.peer.set_speed(self._baud)
 
     @property
     def _mismatch(self) -> bool:
