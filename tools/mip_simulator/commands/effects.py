@@ -96,7 +96,7 @@ def _format(device: DeviceState, call: Call) -> Outcome:
 
 def _sentences(device: DeviceState, call: Call) -> Outcome:
     for entry in call.values["entries"] or () if call.writes else ():
-        if entry.decimation < 1 or not knowledge.sentence(device, entry):
+        if not knowledge.sentence(device, entry):
             raise Refused(INVALID_PARAMETER)
     return Outcome(after=device.arrange)
 

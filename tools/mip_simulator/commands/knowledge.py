@@ -116,8 +116,12 @@ def _receivers(device: DeviceState, context: Context) -> Sequence[tuple[int, int
 
 
 def sentence(device: DeviceState, entry: Any) -> bool:
-    """Can the device send this NMEA sentence?"""
-    return entry.source_descriptor_set in data_sets(device.profile) and nmea.is_supported(entry)
+    """Can the device stream this NMEA sentence, as often?"""
+    source = entry.source_descriptor_set
+    if entry.decimation < 1 or source not in data_sets(device.profile) or not nmea.is_supported(entry):
+        return False
+    most = device.profile.limits.get("nmea_gnss_rate" if nmea.is_gnss(source) else "nmea_rate")
+    return most is None or formats.rate(device, source) <= most.value * entry.decimation
 
 
 def _port_protocols(way: int) -> Quantity:

@@ -26,7 +26,7 @@ _TALKERS = {"gnss": "GN", "gps": "GP", "galileo": "GA", "glonass": "GL"}
 
 #: Qualities of a fix, and the modes that state them in RMC; GLL and VTG have no mode for RTK.
 _AUTONOMOUS, _RTK, _ESTIMATED = 1, 4, 6
-_MODES = {0: "N", _AUTONOMOUS: "A", _RTK: "R", _ESTIMATED: "E"}
+_MODES = {_AUTONOMOUS: "A", _RTK: "R", _ESTIMATED: "E"}
 
 #: Constellation -> talker of its satellites, and the offset of their numbers.
 _CONSTELLATIONS = {"gps": ("GP", 0), "glonass": ("GL", 64), "galileo": ("GA", 0), "beidou": ("GB", 0)}
@@ -75,10 +75,6 @@ def _place(fix: _Fix) -> str:
     return nmea_place(fix.latitude, fix.longitude)
 
 
-def _status(fix: _Fix) -> str:
-    return "A" if fix.quality else "V"
-
-
 def _mode(fix: _Fix) -> str:
     """Returns the mode of GLL and VTG, in which RTK is differential."""
     return "D" if fix.quality == _RTK else _MODES[fix.quality]
@@ -96,15 +92,12 @@ def _declination(world: World) -> float:
 
 
 def _gga(world: World, fix: _Fix) -> Iterator[str]:
-    if not fix.quality:
-        yield f"GGA,{nmea_clock(fix.time)},,,,,0,00,99.99,,,,,,"
-        return
     used, hdop = len(world.satellites), quantity(world, "dop.hdop")
     yield gga(fix.time, _place(fix), used, hdop, fix.height - world.geoid, world.geoid, fix.quality)
 
 
 def _gll(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"GLL,{_place(fix) if fix.quality else ',,,'},{nmea_clock(fix.time)},{_status(fix)},{_mode(fix)}"
+    yield f"GLL,{_place(fix)},{nmea_clock(fix.time)},A,{_mode(fix)}"
 
 
 def _gsv(world: World, fix: _Fix) -> Iterator[str]:
@@ -124,17 +117,11 @@ def _rmc(world: World, fix: _Fix) -> Iterator[str]:
     knots, course = hypot(north, east) / KNOT, degrees(world.course(fix.velocity))
     away = _declination(world)
     date = "" if fix.time is None else f"{fix.time:%d%m%y}"
-    place, motion, declination = ",,,", ",", ","
-    if fix.quality:
-        place, motion = _place(fix), f"{knots:.3f},{_course(course)}"
-        declination = f"{abs(away):.1f},{'EW'[away < 0]}"
-    yield f"RMC,{nmea_clock(fix.time)},{_status(fix)},{place},{motion},{date},{declination},{_MODES[fix.quality]}"
+    motion, declination = f"{knots:.3f},{_course(course)}", f"{abs(away):.1f},{'EW'[away < 0]}"
+    yield f"RMC,{nmea_clock(fix.time)},A,{_place(fix)},{motion},{date},{declination},{_MODES[fix.quality]}"
 
 
 def _vtg(world: World, fix: _Fix) -> Iterator[str]:
-    if not fix.quality:
-        yield "VTG,,,,,,,,,N"
-        return
     north, east, _ = fix.velocity
     speed, course = hypot(north, east), degrees(world.course(fix.velocity))
     magnetic = _course(course - _declination(world))
@@ -142,17 +129,17 @@ def _vtg(world: World, fix: _Fix) -> Iterator[str]:
 
 
 def _hdt(world: World, fix: _Fix) -> Iterator[str]:
-    yield f"HDT,{_course(degrees(euler(world.attitude[1])[2]))},T"
+    yaw = euler(world.attitude[1])[2]
+    if world.filter.aligned:
+        yield f"HDT,{_course(degrees(yaw))},T"
 
 
 def _zda(world: World, fix: _Fix) -> Iterator[str]:
-    yield "ZDA,,,,,," if fix.time is None else f"ZDA,{nmea_clock(fix.time)},{fix.time:%d,%m,%Y},00,00"
+    if fix.time is not None:
+        yield f"ZDA,{nmea_clock(fix.time)},{fix.time:%d,%m,%Y},00,00"
 
 
 def _gst(world: World, fix: _Fix) -> Iterator[str]:
-    if not fix.quality:
-        yield f"GST,{nmea_clock(fix.time)},,,,,,,"
-        return
     n, e, d = fix.deviation
     major, minor, direction = max(n, e), min(n, e), 0.0 if n >= e else 90.0
     rms = hypot(n, e, d)
@@ -161,7 +148,8 @@ def _gst(world: World, fix: _Fix) -> Iterator[str]:
 
 def _msra(world: World, fix: _Fix) -> Iterator[str]:
     roll, pitch, yaw = (degrees(angle) for angle in euler(world.attitude[1]))
-    yield f"PMSRA,{nmea_clock(fix.time)},{roll:.3f},{pitch:.3f},{yaw:.3f}"
+    if world.filter.level:
+        yield f"PMSRA,{nmea_clock(fix.time)},{roll:.3f},{pitch:.3f},{yaw:.3f}"
 
 
 def _msrr(world: World, fix: _Fix) -> Iterator[str]:
@@ -174,18 +162,19 @@ class _Sentence(NamedTuple):
     make: Callable[[World, _Fix], Iterator[str]]
     sources: tuple[str, ...]
     talker: bool = True  # can it be chosen?
+    placed: bool = False  # is it sent only with a position?
 
 
 _GNSS = tuple(name for name, receiver in _SOURCES.items() if receiver is not None)
 _SENTENCES = {
-    "gga": _Sentence(_gga, tuple(_SOURCES)),
-    "gll": _Sentence(_gll, tuple(_SOURCES)),
+    "gga": _Sentence(_gga, tuple(_SOURCES), placed=True),
+    "gll": _Sentence(_gll, tuple(_SOURCES), placed=True),
     "gsv": _Sentence(_gsv, _GNSS, talker=False),
-    "rmc": _Sentence(_rmc, tuple(_SOURCES)),
-    "vtg": _Sentence(_vtg, tuple(_SOURCES)),
+    "rmc": _Sentence(_rmc, tuple(_SOURCES), placed=True),
+    "vtg": _Sentence(_vtg, tuple(_SOURCES), placed=True),
     "hdt": _Sentence(_hdt, tuple(_SOURCES)),
     "zda": _Sentence(_zda, _GNSS),
-    "gst": _Sentence(_gst, tuple(_SOURCES)),
+    "gst": _Sentence(_gst, tuple(_SOURCES), placed=True),
     "msra": _Sentence(_msra, ("filter_data",), talker=False),
     "msrr": _Sentence(_msrr, ("sensor",), talker=False),
 }
@@ -203,18 +192,28 @@ def _sentence(entry: Entry) -> tuple[_Sentence, str, str] | None:
     return None if talker is None else (sentence, source, talker)
 
 
+def is_gnss(source: int) -> bool:
+    """Are the sentences of this data set those of a receiver?"""
+    return SETS.get(source, ("",))[0] in _GNSS
+
+
 def is_supported(entry: Entry) -> bool:
     """Is there such a sentence with this talker, from this source?"""
     return _sentence(entry) is not None
 
 
 def compose_sentences(entries: Iterable[Entry], world: World) -> bytes:
-    """Composes the sentences at the world's time, with checksums and line ends; unknown entries are skipped."""
+    """Composes the sentences at the world's time, with checksums and line ends.
+
+    Unknown entries are skipped, and those whose data is not valid.
+    """
     lines = []
     for entry in entries:
         chosen = _sentence(entry)
         if chosen is not None:
             sentence, source, talker = chosen
             fix = _fix(world, _SOURCES.get(source))
+            if sentence.placed and not fix.quality:
+                continue
             lines += [nmea_sentence(talker + text) for text in sentence.make(world, fix)]
     return "".join(lines).encode("ascii")
