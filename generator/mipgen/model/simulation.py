@@ -65,6 +65,7 @@ class Behavior:
     effect: str = ""
     arguments: tuple[tuple[str, str | int], ...] = ()  # of the effect: a parameter, parameter.member, or a number
     all: tuple[tuple[str, int], ...] = ()  # parameter -> the value that means all instances
+    writes_all: bool = False  # a write may select all, too
     instances: tuple[tuple[str, str], ...] = ()  # parameter -> its values: a limit, PORTS, SETS, AFFECTED
     translate: tuple[tuple[str, tuple[tuple[int, int], ...]], ...] = ()  # parameter -> number -> number of a set
     setting: str = ""  # the command whose setting it is, if not its own

@@ -244,6 +244,7 @@ class _Commands:
             effect=self.effect(node),
             arguments=tuple((k, self.argument(f, n)) for k, n in _pairs(node, "with")),
             all=tuple((k, n.value) for k, n in _pairs(node, "all")),
+            writes_all=bool(node.scalar("writes_all", False)),
             instances=tuple((k, self.instance(n)) for k, n in _pairs(node, "instances")),
             translate=tuple((k, self.translation(n)) for k, n in _pairs(node, "translate")),
             setting=self.setting(node),

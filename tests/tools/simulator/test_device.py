@@ -68,7 +68,8 @@ def test_the_arguments_of_effects_are_those_that_are_declared(name: str) -> None
     behavior = COMMANDS[name]
     declared = {e.name: set(e.arguments) for e in model("real").simulation.effects}
     assert not behavior.effect or set(behavior.arguments) <= declared[behavior.effect]
-    assert set(behavior.all) <= set(instance_keys(command_type(name)))
+    kind = command_type(name)
+    assert set(behavior.all) <= set(instance_keys(kind)) or not kind.REQUIRED
 
 
 # --------------------------------------------------------------------------- identity
@@ -206,9 +207,24 @@ def codes(packets: list[Packet]) -> list[tuple[int, int]]:
         (command(0x01, 0x09, b"\x02\x99"), INVALID),  # no such port
         (command(0x0C, 0x2E, b"\x02\x0d"), INVALID),  # more triggers than there are
         (command(0x0C, 0x0D, b"\x80\x00\x00"), FAILED),  # no stored format to poll
-        (command(0x0C, 0x42, b"\x01\x01\x01"), FAILED),  # not an output
+        # Values that mean all, with functions for which they do not.
+        (command(0x0D, 0x50, b"\x01\xff\xff\x01"), INVALID),
+        (command(0x0D, 0x50, b"\x02\xff\xff"), INVALID),
+        (command(0x0C, 0x52, b"\x01\x00\x01"), INVALID),
+        (command(0x0C, 0x52, b"\x02\x00"), INVALID),
+        (command(0x0C, 0x53, b"\x00"), INVALID),
+        (command(0x0C, 0x2B, b"\x02\x00"), INVALID),
+        (command(0x0C, 0x54, b"\x02\x80\x00"), INVALID),
+        # A field without a filter.
+        *((command(0x0C, 0x54, bytes((function, *place))), INVALID)
+          for function in (2, 3, 4, 5) for place in ((0x80, 0x11), (0, 4))),
+        # What does not fit into a packet with the ACK, now or when it is read.
+        *((command(0x0C, descriptor, b"\x82" + b"\x01" * 130), INVALID) for descriptor in (0x2C, 0x2D)),
+        (command(0x0C, 0x0F, b"\x01\x80\x53" + b"\x04\x00\x0a" * 83), INVALID),
+        (command(0x0C, 0x0C, b"\x01\x32" + b"\x01\x01\x82\x01\xf4" * 50), INVALID),
+        (command(0x0C, 0x22, b"\x01\x01\x00\x00\x7b" + b"\x00\x78" * 123), INVALID),
     ],
-)
+)  # fmt: skip
 def test_refusals(host: Host, data: bytes, code: int) -> None:
     assert codes(host.raw(data)) == [(data[5], code)]
 
@@ -249,6 +265,12 @@ def test_times_that_no_data_can_show_are_refused() -> None:
         assert [host.refused(field.write(name, n)) for n in (last + 1, 2**32 - 1)] == [INVALID] * 2
     assert host.device.world.clock // (604_800 * 10**9) == 0xFFFF
     host.device.send_data(0x81, [0x08])  # its UTC
+
+
+def test_a_command_without_reply_is_refused_without_one(host: Host, old: Host) -> None:
+    assert host.refused(mip_3dm.PollData(0x80, False, ())) == FAILED
+    assert host.raw(bytes(mip_3dm.PollData(0x80, True, ()).packet())) == []
+    assert old.raw(bytes(mip_3dm.GyroBias.apply((math.nan, 0.0, 0.0)).packet())) == []
 
 
 def test_a_refused_setting_changes_nothing(host: Host) -> None:
@@ -388,6 +410,11 @@ def test_factory_streaming(host: Host) -> None:
     host.stream(0x80, (0x17, 500))
     host.ok(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(2), 0))
     assert formats.of_set(host.device, 0x80)[0] == (0x17, 500) and len(formats.of_set(host.device, 0x80)) == 5
+    for _ in range(19):
+        host.ok(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(2), 0))
+        host.ok(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(1), 0))  # all are there
+    assert host.refused(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(2), 0)) == FAILED
+    assert len(host.ok(mip_3dm.MessageFormat.read(0x80)).descriptors) == 81, "no packet can report more"
     host.ok(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(0), 0))
     assert len(formats.of_set(host.device, 0x80)) == 4
     assert {p.set for p in host.received(2.0)} == {s for s, _ in host.device.profile.fields if 0x80 <= s < 0xFF}
@@ -405,6 +432,39 @@ def test_a_stream_that_nobody_reads_is_dropped_whole() -> None:
 
 
 # --------------------------------------------------------------------------- particular commands
+
+
+def test_a_filter_of_one_field_or_of_all(host: Host, old: Host) -> None:
+    kind = mip_3dm.LowPassFilter
+    at = ((0x80, 0x04), (0x80, 0x05), (0x82, 0x0D))
+
+    def frequencies() -> list[float]:
+        return [host.ok(kind.read(*place)).frequency for place in at]
+
+    host.ok(kind.write(0, 0, True, True, 40.0))
+    assert frequencies() == [40, 40, 40]
+    host.ok(kind.save(0, 0))
+    host.ok(kind.write(0x80, 0, True, True, 20.0))
+    host.ok(kind.write(0x80, 0x05, True, True, 10.0))
+    assert frequencies() == [20, 10, 40]
+    host.ok(kind.load(0x80, 0))
+    host.ok(kind.default(0x82, 0))
+    assert frequencies() == [40, 40, 0]
+    host.ok(kind.load(0, 0))
+    assert frequencies() == [40, 40, 40]
+    old.ok(mip_3dm.ImuLowPassFilter.write(0, True, True, 30))
+    assert old.ok(mip_3dm.ImuLowPassFilter.read(0x17)).frequency == 30
+
+
+def test_a_mode_is_of_one_trigger_or_of_all(host: Host) -> None:
+    kind, mode = mip_3dm.EventControl, types.EventTriggerMode
+    for pin in (1, 2):
+        gpio = types.EventTriggerGpio(pin, types.EventTriggerGpioMode(1))
+        host.ok(mip_3dm.EventTriggerConfig.write(pin + 1, types.EventTriggerType.GPIO, gpio))
+    host.ok(kind.write(0, mode.ENABLED))
+    assert [host.ok(kind.read(n)).mode for n in (1, 2, 3)] == [mode.DISABLED, mode.ENABLED, mode.ENABLED]
+    host.ok(kind.write(2, mode.TEST_PULSE))
+    assert host.ok(kind.read(2)).mode == mode.ENABLED, "after one cycle, as before"
 
 
 def test_the_mounting_is_one_setting_in_three_forms(host: Host) -> None:
@@ -491,16 +551,18 @@ def test_an_output_keeps_its_level(host: Host) -> None:
 def test_in_a_direct_mode_the_device_answers_little(old: Host) -> None:
     old.ok(mip_3dm.ImuMessageFormat.write(rates((0x04, 10))))
     old.ok(system.CommMode.write(system.ProtocolMode.SENSOR_DIRECT))
-    assert old.raw(bytes(base.Ping().packet())) == []
+    assert old.raw(bytes(base.Ping().packet())) == old.received(1.0) == []
     assert old.ok(mip_3dm.DeviceStatus(6254, mip_3dm.DeviceStatusSelector.BASIC)).model_number == 6254
     old.ok(system.CommMode.write(system.ProtocolMode.STANDARD))
     old.ok(base.Ping())
+    assert len(old.received(1.0)) == 100
 
 
 @pytest.mark.parametrize(("name", "layout"), [(GX5, "diagnostic"), ("3dm-gx5-45", "diagnostic_gnss")])
 def test_the_device_status_has_the_layout_of_the_device(name: str, layout: str) -> None:
     host = Host(VirtualDevice(name))
     host.device.advance(3.0)
+    host.device.booted -= 10**6 << 32  # the timer counts milliseconds in 32 bits
     status = host.ok(mip_3dm.DeviceStatus(host.device.profile.model_number, mip_3dm.DeviceStatusSelector.DIAGNOSTIC))
     assert f"3dm.device_status_{layout}_response" == status.NAME and status.system_timer == 3000
 

@@ -33,6 +33,7 @@ class Outcome:
 
     delay: int = 0  # nanoseconds until the answer
     after: Callable[[], None] | None = None  # done once it is sent
+    stored: bool = True  # a value that it writes is a setting
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,7 @@ def _self_test(device: DeviceState, call: Call) -> Outcome:
 def _communication_mode(device: DeviceState, call: Call) -> Outcome:
     def switch() -> None:
         device.direct = call.values["mode"] != 1
+        device.arrange()
 
     return Outcome(after=switch)
 
@@ -123,7 +125,7 @@ def _poll_sentences(device: DeviceState, call: Call) -> Outcome:
 
 def _factory_streaming(device: DeviceState, call: Call) -> Outcome:
     """Sets formats with a few fields of each set, which replace the current formats or are appended to them."""
-    formats.factory(device, keep=call.values["action"] != 0)
+    formats.factory(device, call.values["action"].name)
     return Outcome(after=device.arrange)
 
 
@@ -221,10 +223,11 @@ def _action(device: DeviceState, call: Call) -> Outcome:
 
 
 def _trigger_mode(device: DeviceState, call: Call) -> Outcome:
-    instance = call.values["instance"]
-    if call.writes and instance and not knowledge.trigger_type(device, instance) and call.values["mode"]:
+    """Enables, disables or tests a trigger; a test of one cycle does not change its mode."""
+    instance, mode = call.values["instance"], call.values["mode"]
+    if call.writes and mode and not knowledge.trigger_type(device, instance):
         raise Refused(COMMAND_FAILED)
-    return DONE
+    return Outcome(stored=mode.name != "TEST_PULSE")
 
 
 def _pin(device: DeviceState, call: Call) -> Outcome:
@@ -252,12 +255,12 @@ def _pin_state(device: DeviceState, call: Call) -> Outcome:
 
 
 def _of_filter(name: str) -> Effect:
-    """Makes an effect that accepts all values; its argument `kind` is the kind of aiding measurement of a command."""
+    """Makes an effect with two more arguments: the kind of aiding measurement of a command, and whether it writes."""
 
     def effect(device: DeviceState, call: Call) -> Outcome:
         kind = call.command.NAME.replace(".", "_")
         device.world.advance()
-        FILTER_EFFECTS[name](device, {"kind": kind, **call.values})
+        FILTER_EFFECTS[name](device, {"kind": kind, "writes": call.writes, **call.values})
         return DONE
 
     return effect

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from math import radians
 from typing import Any
 
+from mip_tools.devices.codes import COMMAND_FAILED, INVALID_PARAMETER, Refused
 from mip_tools.geometry import earth
 from mip_tools.geometry.attitude import euler, euler_rotation
 from mip_tools.geometry.rotations import transposed
@@ -32,6 +33,8 @@ def _names(bits: Any) -> frozenset[str]:
 def _sensor_range(device: DeviceState, v: Values) -> None:
     sensor = _SENSORS.get(v["sensor"])
     most = dict(RANGES.get(v["sensor"], ())).get(v["setting"])
+    if most is None and v["writes"]:
+        raise Refused(INVALID_PARAMETER)
     if sensor is not None and most is not None:
         device.world.ranges[sensor[0]] = most * sensor[1]
 

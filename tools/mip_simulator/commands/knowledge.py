@@ -38,13 +38,13 @@ def all_descriptors(device: DeviceState) -> list[int]:
 # --------------------------------------------------------------------------- events
 
 
-def _configured(device: DeviceState, effect: str) -> dict[int, Context]:
+def configured(device: DeviceState, effect: str) -> dict[int, Context]:
     """Instance -> configuration, of the configured triggers or actions."""
     return {setting["instance"]: setting for setting in device.settings_of(effect) if setting["type"]}
 
 
 def trigger_type(device: DeviceState, instance: int) -> int:
-    return int(_configured(device, "trigger").get(instance, FREE)["type"])
+    return int(configured(device, "trigger").get(instance, FREE)["type"])
 
 
 def _slots(device: DeviceState, limit: str) -> int:
@@ -71,7 +71,7 @@ def has_room(device: DeviceState, effect: str, setting: Context) -> bool:
     """Does the device permit one more trigger or action of this type? It replaces the one in its slot."""
     names = TRIGGER_LIMITS if effect == "trigger" else ACTION_LIMITS
     most = device.profile.limits.get(names.get(setting["type"], ""))
-    others = _configured(device, effect)
+    others = configured(device, effect)
     others.pop(setting["instance"], None)
     return most is None or sum(x["type"] == setting["type"] for x in others.values()) < most.value
 
@@ -93,7 +93,7 @@ def _trigger_status(device: DeviceState, context: Context) -> Sequence[tuple[int
 
 def _action_status(device: DeviceState, context: Context) -> Sequence[tuple[int, int]]:
     """Returns the type and the trigger of each action."""
-    actions = _configured(device, "action")
+    actions = configured(device, "action")
     asked = (actions.get(instance, FREE) for instance in _asked(device, context, ACTIONS))
     return [(int(action["type"]), int(action["trigger"])) for action in asked]
 
@@ -104,8 +104,8 @@ def _action_status(device: DeviceState, context: Context) -> Sequence[tuple[int,
 RANGES: dict[int, Sequence[tuple[int, float]]] = {
     1: ((1, 2.0), (2, 4.0), (3, 8.0), (4, 10.0)),
     2: ((1, 75.0), (2, 150.0), (3, 300.0), (4, 1000.0)),
-    3: ((1, 8.0),),
-    4: ((1, 1100.0),),
+    3: ((3, 8.0),),
+    4: ((3, 1100.0),),
 }
 
 
@@ -151,7 +151,7 @@ QUANTITIES: dict[str, Quantity] = {
     "device.number": lambda device, context: device.profile.model_number or 0,
     "device.descriptors": lambda device, context: all_descriptors(device)[:MOST_DESCRIPTORS],
     "device.further_descriptors": lambda device, context: all_descriptors(device)[MOST_DESCRIPTORS:][:MOST_DESCRIPTORS],
-    "device.uptime": lambda device, context: (device.now - device.booted) / 1e9,
+    "device.uptime": lambda device, context: (device.now - device.booted) % (10**6 << 32) / 1e9,  # 32 bits of ms
     "device.bytes_sent": lambda device, context: device.bytes_sent & 0xFFFFFFFF,
     "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,
     "device.packets_dropped": lambda device, context: device.dropped & 0xFFFFFFFF,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from mip_tools.binding import reflection
-from mip_tools.devices.codes import WRITE
+from mip_tools.binding import MAX_PAYLOAD, reflection
+from mip_tools.devices.codes import COMMAND_FAILED, WRITE, Refused
 from mip_tools.devices.facts import COMMANDS
 from mip_tools.devices.profiles import assumed_rates, data_sets
 from mip_tools.devices.settings import command_type, instance_keys, stored_by
@@ -16,6 +16,11 @@ from .stream import Stream
 
 #: The rate in Hz of sets without a base rate, whose data a real device sends as it becomes available.
 RATE_AS_THEY_ARISE = 1.0
+
+#: The maximum size of a write of a setting: a response repeats all but the function, with its header and an ACK.
+LONGEST_SETTING = MAX_PAYLOAD - 2 - 4 + 1
+#: The maximum number of fields in a message format: three bytes each, after the function, the set and their number.
+MOST_FIELDS = (LONGEST_SETTING - 3) // 3
 
 #: The number of fields of each set in factory streaming, and their rate in Hz.
 FACTORY_FIELDS, FACTORY_RATE = 4, 10
@@ -87,8 +92,10 @@ def _keeper(device: DeviceState, set_number: int) -> Any:
     return None
 
 
-def factory(device: DeviceState, keep: bool) -> None:
-    """Sets message formats with the first fields of each set; `keep` appends them to the current formats."""
+def factory(device: DeviceState, action: str) -> None:
+    """Sets message formats with the first fields of each set: "ADD" appends them to the current formats, and "MERGE"
+    those that are not in them. Raises Refused, and changes nothing, if a format becomes too long."""
+    formats = []
     for set_number in sorted(data_sets(device.profile)):
         kind = _keeper(device, set_number)
         if kind is None:
@@ -97,7 +104,13 @@ def factory(device: DeviceState, keep: bool) -> None:
         entry = next(p.type for p in reflection.info(kind).parameters if p.attribute == at["fields"])
         decimation = max(1, round(rate(device, set_number) / FACTORY_RATE))
         own = sorted(x for s, x in device.field_keys if s == set_number)[:FACTORY_FIELDS]
-        wanted = [*(of_set(device, set_number) if keep else ()), *((x, decimation) for x in own)]
+        kept = of_set(device, set_number) if action in ("ADD", "MERGE") else []
+        there = {x for x, _ in kept} if action == "MERGE" else set()
+        wanted = [*kept, *((x, decimation) for x in own if x not in there)]
+        if len(wanted) > MOST_FIELDS:
+            raise Refused(COMMAND_FAILED)
         values: dict[str, Any] = {str(at["fields"]): tuple(entry(*pair) for pair in wanted)}
         values |= {name: set_number for name in instance_keys(kind)}
-        device.settings.write(kind(function=WRITE, **values))
+        formats.append(kind(function=WRITE, **values))
+    for setting in formats:
+        device.settings.write(setting)

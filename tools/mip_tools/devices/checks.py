@@ -26,7 +26,9 @@ def check_value(command: Command, profile: Device, keys: tuple[str, ...]) -> Non
         value = _value(p, command)
         if value is None or (command.REQUIRED and p.name == "function"):
             continue
-        if p.attribute in keys and meaning_all(command, p.attribute, value, function):
+        if value == COMMANDS.get(command.NAME, NOTHING).all.get(p.attribute):
+            if not meaning_all(command, p.attribute, value, function):
+                raise Refused(INVALID_PARAMETER)
             continue
         if function is None or function in SETS or p.attribute in keys or number <= required:
             reading = profile.readings.get(f"{command.NAME}.{p.name}")
@@ -44,8 +46,25 @@ def _value(p: Parameter, record: Structure) -> Any:
 
 def meaning_all(command: Command, name: str, value: Any, function: int | None) -> bool:
     """Does the value select all instances, and does this function permit that?"""
-    everything = COMMANDS.get(command.NAME, NOTHING).all.get(name)
-    return everything is not None and value == everything and function not in (*SETS, READ)
+    behavior = COMMANDS.get(command.NAME, NOTHING)
+    everything = behavior.all.get(name)
+    without = (None, READ) if behavior.writes_all else (None, READ, *SETS)
+    return everything is not None and value == everything and function not in without
+
+
+def affected_fields(command: Command, name: str, profile: Device) -> list[dict[str, int]]:
+    """Returns the instances that a command with the instances AFFECTED selects: a field, all of a set, or all.
+
+    Each is a value of the parameter `name`, and of the one beside it for the set, if there is one.
+    """
+    behavior, p = COMMANDS.get(command.NAME, NOTHING), reflection.info(type(command))[name]
+    number, value = set_of(p, command), getattr(command, name)
+    everything, all_sets = behavior.all.get(name), behavior.all.get(p.fields_of)
+    return [
+        {name: descriptor, **({p.fields_of: set_number} if hasattr(command, p.fields_of) else {})}
+        for set_number, descriptor in sorted(behavior.affected & profile.fields)
+        if (number == set_number and value in (descriptor, everything)) or (value == everything and number == all_sets)
+    ]
 
 
 def set_of(p: Parameter, record: Any) -> int | None:
@@ -60,16 +79,15 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
     behavior = COMMANDS.get(command.NAME, NOTHING)
     for name, what in behavior.instances.items():
         value: Any = getattr(command, name)
-        if value is None or meaning_all(command, name, value, function):
+        if value is None or (what != AFFECTED and meaning_all(command, name, value, function)):
             continue
         value = behavior.translate.get(name, {}).get(value, value)
         if what == DATA_SETS:
             exists = value in data_sets(profile) or not data_sets(profile)  # a profile may not list them
         elif what == PORTS:
             exists = any(port.id == value for port in profile.ports) or not profile.ports
-        elif what == AFFECTED:  # 0 may mean all, if the function neither writes nor reads a value
-            number = set_of(reflection.info(type(command))[name], command)
-            exists = (number, value) in behavior.affected & profile.fields or function not in (*SETS, READ)
+        elif what == AFFECTED:
+            exists = bool(affected_fields(command, name, profile))
         else:
             limit = profile.limits.get(what)
             exists = limit is None or 1 <= value <= limit.value

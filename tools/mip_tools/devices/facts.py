@@ -42,6 +42,7 @@ class Behavior:
     effect: str = ""
     arguments: dict[str, str | int] = field(default_factory=dict)  # parameter, parameter.member, or a number
     all: dict[str, int] = field(default_factory=dict)  # parameter -> the value that means all
+    writes_all: bool = False  # a write may select all, too
     instances: dict[str, str] = field(default_factory=dict)  # parameter -> limit, or one of the words below
     translate: dict[str, dict[int, int]] = field(default_factory=dict)  # number -> number of a set
     setting: str = ""  # the command that owns the setting, if it is another one

@@ -48,6 +48,7 @@ def _behavior(b: Behavior) -> dict[str, Any]:
         "effect": b.effect,
         "arguments": dict(b.arguments),
         "all": dict(b.all),
+        "writes_all": b.writes_all,
         "instances": dict(b.instances),
         "translate": {name: dict(pairs) for name, pairs in b.translate},
         "setting": b.setting,
