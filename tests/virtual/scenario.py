@@ -44,14 +44,6 @@ def formats(device: m.Device, rate: float) -> Iterator[Trial]:
             yield write(known["3dm.data_stream_control"], descriptor_set=selector, enable=1)
 
 
-def outputs(device: m.Device) -> Iterator[Trial]:
-    """Makes a pin an output, if the device has pins that can be set."""
-    known = {s.field.full_name: s for s in commands(device)}
-    if {"3dm.gpio_config", "3dm.gpio_state"} <= known.keys():
-        yield write(known["3dm.gpio_config"], pin=1, feature=1, behavior=2, pin_mode=0)
-        yield write(known["3dm.gpio_state"], pin=1, state=1)
-
-
 def prepare(session: Session, rate: float = 1, attempts: int = 1) -> None:
     """Streams all data, whatever the commands before have done."""
     known = {s.field.full_name: s for s in commands(session.device)}
@@ -68,7 +60,20 @@ def insist(session: Session, trial: Trial, attempts: int) -> None:
             break
 
 
+#: Commands that a device accepts only after another one: that one, and its values.
+AFTER: dict[str, tuple[str, dict[str, int]]] = {
+    "filter.set_initial_attitude": ("filter.reset", {}),
+    "filter.set_initial_heading": ("filter.reset", {}),
+    "filter.external_heading_update": ("filter.heading_source", {"source": 3}),
+    "filter.external_heading_update_with_time": ("filter.heading_source", {"source": 3}),
+}
+
+
 def ask(session: Session, trial: Trial) -> None:
+    name, values = AFTER.get(trial.command.full_name, ("", {}))
+    for support in commands(session.device):
+        if support.field.full_name == name:
+            session.ask(write(support, **values))
     session.ask(trial)
     if trial.command.name == "soft_reset":
         session.wait(START)
@@ -77,8 +82,6 @@ def ask(session: Session, trial: Trial) -> None:
 def everything(device: m.Device) -> Session:
     """Each command with each function and each value; then several in a packet, and several packets at once."""
     session = Session(device, Witness())
-    for trial in outputs(device):
-        ask(session, trial)
     for number, support in enumerate(commands(device)):
         if number % 4 == 0:
             prepare(session)

@@ -71,7 +71,7 @@ class Behavior:
     setting: str = ""  # the command whose setting it is, if not its own
     key: tuple[tuple[str, int], ...] = ()  # the instance of that setting
     initial: tuple[tuple[str, object], ...] = ()  # values on a new device
-    once: bool = False  # a write acts once: its values are not a setting to be restored
+    once: bool = False  # a write acts once: its own values are no setting
     affected: tuple[tuple[int, int], ...] = ()  # set and descriptor of the data from which AFFECTED selects
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 

@@ -107,6 +107,66 @@ def test_a_given_heading_and_the_command_to_run() -> None:
     assert degrees(show(host.device, "filter_data.euler_angles").yaw) == pytest.approx(15, abs=3)
 
 
+def test_a_place_that_the_user_gives() -> None:
+    """It leads to full navigation without reception. A new mounting resets the filter."""
+    host = Host(VirtualDevice(CV7, sync=False))
+    host.ok(initialization(0, heading=15.0, given=2))
+    host.ok(commands.Reset())
+    host.device.advance(3)
+    assert state(host.device) == AHRS
+    host.ok(initialization(0, heading=15.0, given=3))
+    host.device.advance(1)
+    assert state(host.device) == FULL_NAV
+    host.ok(mip_3dm.SensorToVehicleTransformEuler.write(0.0, 0.0, 1.0))
+    assert state(host.device) == INIT
+    host.device.advance(3)
+    assert state(host.device) == FULL_NAV
+
+
+def test_what_the_filter_accepts_in_one_state_only() -> None:
+    host, new, failed = Host(VirtualDevice("3dm-gx5-15", noise=0)), Host(VirtualDevice(CV7)), 4
+    new.ok(commands.SetInitialHeading(1.0))
+    for command in (commands.SetInitialHeading(1.0), commands.SetInitialAttitude(0.0, 0.0, 1.0)):
+        assert host.refused(command) == failed
+        host.ok(commands.Reset())
+        assert host.refused(commands.TareOrientation.write(7)) == failed, "it has no attitude"
+        host.ok(command)
+        assert host.refused(command) == failed, "it is initialized"
+        assert show(host.device, "filter_data.euler_angles").yaw == pytest.approx(1.0, abs=1e-3)
+    update = commands.ExternalHeadingUpdate(1.0, 0.1, 1)
+    assert host.refused(update) == failed
+    host.ok(commands.HeadingSource.write(commands.HeadingUpdateSource.EXTERNAL))
+    host.ok(update)
+    new.ok(update)
+    new.ok(commands.AidingMeasurementEnable.write(5, False))
+    assert new.refused(update) == failed
+
+
+def test_a_tare_sets_the_mounting() -> None:
+    tare, mounting = commands.TareOrientation, commands.SensorToVehicleRotationEuler
+    host = Host(VirtualDevice("3dm-gx5-15", motion=Standing(roll=10, pitch=5), noise=0))
+
+    def angles() -> list[float]:
+        e, set_ = show(host.device, "filter_data.euler_angles"), host.ok(mounting.read())
+        return [abs(x) for x in (e.roll, e.pitch, set_.roll, set_.pitch)]
+
+    tilted = pytest.approx([radians(10), radians(5), 0, 0], abs=1e-4)
+    assert angles() == tilted
+    host.ok(tare.write(3))
+    tared = pytest.approx([0, 0, radians(10), radians(5)], abs=0.02)
+    assert angles() == tared
+    host.ok(tare.save())
+    host.ok(tare.write(0))
+    assert angles() == tilted
+    host.device.reset()
+    host.device.advance(5)
+    assert angles() == tared
+    host.ok(tare.default())
+    assert angles() == tilted
+    host.ok(mounting.load())
+    assert angles() == tared
+
+
 def test_a_heading_that_is_not_aided_is_relative() -> None:
     """A 3DM-GX5-15 has no reference for its heading: it begins at 0, and its solution is valid."""
     device = VirtualDevice("3dm-gx5-15", motion=Standing(heading=90))
@@ -203,6 +263,7 @@ def test_a_range_limits_a_sensor() -> None:
     assert rate == pytest.approx(radians(75), rel=1e-6) and sin(rate) > 0
     host.ok(mip_3dm.SensorRange.write(2, 4))
     assert show(host.device, "sensor.overrange_status").status == 0
+    assert host.refused(mip_3dm.SensorRange.write(2, 5)) == 3, "no such range"
     assert filter_data.Status.DESCRIPTOR == 0x10
 
 

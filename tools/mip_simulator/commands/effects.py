@@ -17,14 +17,18 @@ from mip_tools.devices.codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SET
 from mip_tools.devices.facts import COMMANDS
 from mip_tools.devices.names import value_named
 from mip_tools.devices.profiles import data_sets
-from mip_tools.devices.settings import arguments, command_type
+from mip_tools.devices.settings import arguments, command_type, stored_by
+from mip_tools.geometry import earth
+from mip_tools.geometry.attitude import euler, euler_rotation
 from mip_tools.geometry.earth import LAST_WEEK, SECOND, WEEK
+from mip_tools.geometry.rotations import transposed
 
 from ..link import Link
 from ..state import DeviceState
 from ..streams import formats
+from ..surroundings.surroundings import IDENTITY
 from . import knowledge, ports
-from .filter_effects import FILTER_EFFECTS
+from .filter_effects import FILTER_EFFECTS, names_of_bits
 
 
 @dataclass(frozen=True)
@@ -153,7 +157,32 @@ def _mounting(device: DeviceState, call: Call) -> Outcome:
     if call.writes and not views.is_rotation(matrix):
         raise Refused(INVALID_PARAMETER)
     device.world.sensor_to_vehicle = matrix
+    if device.world.started and not call.values.get("inverse"):  # as the manual of the 3DM-CV7 states
+        device.world.filter.reset()
     return DONE
+
+
+def _tare(device: DeviceState, call: Call) -> Outcome:
+    """Makes the roll, pitch or yaw of the vehicle 0 by the setting of the mounting; without axes, resets it."""
+    if not call.writes:  # saved by an older version
+        return DONE
+    world, axes = device.world, names_of_bits(call.values["axes"])
+    world.advance()
+    if not world.filter.level:
+        raise Refused(COMMAND_FAILED)
+    matrix = IDENTITY
+    if axes:
+        angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
+        matrix = earth.product(euler_rotation(*angles)[1], transposed(world.state.dcm))
+    world.sensor_to_vehicle = matrix
+    setting: Any = stored_by(type(call.command))
+    if setting is not type(call.command):  # a package of a part may lack it
+        behavior = COMMANDS[setting.NAME]
+        values = views.orientation_values(behavior.effect, matrix, bool(behavior.arguments.get("inverse")))
+        angles_of = {str(behavior.arguments[name]): value for name, value in values.items()}
+        made = replace(device.settings.factory(setting, call.command), **angles_of)
+        device.settings.write(setting.decode(made.encode()))
+    return Outcome(stored=False)
 
 
 def _bias(name: str) -> Effect:
@@ -294,6 +323,7 @@ EFFECTS: dict[str, Effect] = {
     "self_test": _self_test,
     "sentences": _sentences,
     "switch": lambda device, call: Outcome(after=device.arrange),
+    "tare": _tare,
     "trigger": _trigger,
     "trigger_mode": _trigger_mode,
 }

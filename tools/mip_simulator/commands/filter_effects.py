@@ -11,10 +11,9 @@ from typing import Any
 
 from mip_tools.devices.codes import COMMAND_FAILED, INVALID_PARAMETER, Refused
 from mip_tools.geometry import earth
-from mip_tools.geometry.attitude import euler, euler_rotation
-from mip_tools.geometry.rotations import transposed
+from mip_tools.geometry.attitude import euler
 
-from ..filter.estimate import SOURCES
+from ..filter.estimate import HEADING_UPDATES, SOURCES
 from ..state import DeviceState
 from .knowledge import RANGES
 
@@ -25,7 +24,7 @@ Act = Callable[[DeviceState, Values], None]
 _SENSORS = {1: ("accel", 9.80665), 2: ("gyro", radians(1)), 3: ("mag", 1.0)}
 
 
-def _names(bits: Any) -> frozenset[str]:
+def names_of_bits(bits: Any) -> frozenset[str]:
     """Returns the names of the bits that are set."""
     return frozenset(member.name.lower() for member in type(bits) if member & bits)
 
@@ -39,14 +38,6 @@ def _sensor_range(device: DeviceState, v: Values) -> None:
         device.world.ranges[sensor[0]] = most * sensor[1]
 
 
-def _tare(device: DeviceState, v: Values) -> None:
-    """Makes the current roll, pitch or yaw of the vehicle zero."""
-    world, axes = device.world, _names(v["axes"])
-    if axes:
-        angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
-        world.sensor_to_vehicle = earth.product(euler_rotation(*angles)[1], transposed(world.state.dcm))
-
-
 def _relative_position(device: DeviceState, v: Values) -> None:
     x, y, z = v["place"]
     fixed = (x, y, z) if v["frame"] == 1 else earth.ecef(radians(x), radians(y), z)
@@ -55,13 +46,19 @@ def _relative_position(device: DeviceState, v: Values) -> None:
 
 def _initialization(device: DeviceState, v: Values) -> None:
     o = device.world.filter.options
-    o.waits, o.alignment = bool(v["wait"]), _names(v["alignment"])
+    o.waits, o.alignment = bool(v["wait"]), names_of_bits(v["alignment"])
     o.heading = None if v["given"].name == "AUTO_POSITION_VELOCITY_ATTITUDE" else radians(v["heading"])
+    o.place = v["given"].name == "MANUAL"
 
 
 def _attitude(device: DeviceState, v: Values) -> None:
-    """Levels the filter, with the heading of the user, or else that of the sensors."""
+    """Levels the filter, with the heading of the user, or else that of the sensors.
+
+    Devices up to the generation `initial` accept it only in the initialization state.
+    """
     world = device.world
+    if (device.profile.generation or 0) <= v.get("initial", -1) and "run_solution_valid" in world.filter.state:
+        raise Refused(COMMAND_FAILED)
     yaw = v["heading"] if "heading" in v else euler(world.dcm)[2] + v["declination"] - world.declination
     world.filter.set_heading(world.state, yaw)
     world.filter.aligned = True
@@ -74,6 +71,9 @@ def _aiding(device: DeviceState, v: Values) -> None:
 
 
 def _measured(device: DeviceState, v: Values) -> None:
+    o = device.world.filter.options
+    if v["kind"] in HEADING_UPDATES and ("heading" in o.disabled or not o.external_heading):
+        raise Refused(COMMAND_FAILED)
     if v.get("valid", 1):
         device.world.filter.hear(v["kind"])
 
@@ -97,6 +97,7 @@ FILTER_EFFECTS: dict[str, Act] = {
     "filter_reset": lambda device, v: device.world.filter.reset(),
     "filter_run": lambda device, v: device.world.filter.run(),
     "gnss_source": _option("receivers", lambda v: frozenset(_RECEIVERS.get(v["source"].name, ()))),
+    "heading_source": _option("external_heading", lambda v: v["source"].name.endswith(("EXTERNAL", "ALL"))),
     "hard_iron": _world("hard_iron", lambda v: tuple(v["offset"])),
     "initial_attitude": _attitude,
     "initialization": _initialization,
@@ -107,5 +108,4 @@ FILTER_EFFECTS: dict[str, Act] = {
     "relative_position": _relative_position,
     "sensor_range": _sensor_range,
     "soft_iron": _world("soft_iron", lambda v: tuple(v["matrix"])),
-    "tare": _tare,
 }

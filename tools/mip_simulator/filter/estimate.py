@@ -52,7 +52,8 @@ HIGH_GYRO_BIAS = 0.01
 COMPLEMENTARY = 0.002
 
 #: Headings that the user sends, by their names in the commands.
-HEADINGS = ("filter_external_heading_update", "filter_external_heading_update_with_time", "aiding_true_heading")
+HEADING_UPDATES = ("filter_external_heading_update", "filter_external_heading_update_with_time")
+HEADINGS = (*HEADING_UPDATES, "aiding_true_heading")
 #: Source in `aiding_measurement_enable` -> kinds of measurements.
 SOURCES = {
     "gnss_position_velocity": "gnss", "gnss_heading": "dual_antenna", "altimeter": "pressure", "mag": "mag",
@@ -77,6 +78,8 @@ class Options:
     automatic: bool = True  # initializes itself
     alignment: frozenset[str] = frozenset(("dual_antenna", "kinematic", "mag"))
     heading: float | None = None  # given by the user
+    place: bool = False  # the initial position and velocity are given by the user
+    external_heading: bool = True  # heading updates are accepted
     disabled: frozenset[str] = frozenset()  # kinds of measurements
     receivers: frozenset[int] = frozenset((1, 2))
     dynamics: str = ""
@@ -133,7 +136,7 @@ class Filter:
             if self.options.heading is None and self.aligned:
                 self._turned = 0.0
         if self.aligned and not self.placed and age >= PLACED and self._world.has("position"):
-            self.placed = self._has_place
+            self.placed = self._has_place or self.options.place
         if not self.aligned or self._has_heading(state):
             self._headed = self._time
         if self.aligned and self._has_heading(state):
@@ -319,7 +322,7 @@ class Filter:
                 yield _aid(0, kind, self._has(kind), used)
         for kind in sorted(self._heard):
             if self._fresh(kind):
-                yield _aid(1, "heading" if kind in HEADINGS[:2] else kind, self._has(kind), True)
+                yield _aid(1, "heading" if kind in HEADING_UPDATES else kind, self._has(kind), True)
 
 
 def _aid(source: int, kind: str, enabled: bool, used: bool) -> Aid:

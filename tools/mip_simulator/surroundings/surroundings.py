@@ -21,7 +21,7 @@ T = TypeVar("T")
 #: The default start of a simulation: the start of a GPS week, 7 January 2024.
 START = 2296 * earth.WEEK
 
-_IDENTITY: Matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+IDENTITY: Matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 _GEOID = 45.0
 _SINGLE = ("measured.pressure", "measured.speed")  # sensors of one axis
 ANTENNAS = {1: (-0.5, 0.0, -0.2), 2: (0.5, 0.0, -0.2)}
@@ -134,7 +134,7 @@ class Surroundings:
         """Resets everything that settings change to its state on a new device."""
         self.accel_bias = self.gyro_bias = ZERO
         self.hard_iron: Vector = ZERO
-        self.soft_iron: Matrix = _IDENTITY
+        self.soft_iron: Matrix = IDENTITY
         self.ranges: dict[str, float] = {}  # of sensors: accel in m/s^2, gyro in rad/s, mag in gauss
         self.offset: Vector = ZERO  # offset of the point whose position is reported, in the vehicle frame
         self.reference: Vector | None = None  # point of the relative position, Earth-fixed; None: the start
@@ -245,13 +245,13 @@ class Surroundings:
 
     @property
     def sensor_to_vehicle(self) -> Matrix:
-        return self._turn or _IDENTITY
+        return self._turn or IDENTITY
 
     @sensor_to_vehicle.setter
     def sensor_to_vehicle(self, m: Sequence[float]) -> None:
         a, b, c, d, e, f, g, h, i = m
         self._turn = (a, b, c, d, e, f, g, h, i)
-        if self._turn == _IDENTITY:
+        if self._turn == IDENTITY:
             self._turn = None
         self._cache = {}
 

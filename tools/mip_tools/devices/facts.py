@@ -48,7 +48,7 @@ class Behavior:
     setting: str = ""  # the command that owns the setting, if it is another one
     key: dict[str, int] = field(default_factory=dict)  # the instance of that setting
     initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
-    once: bool = False  # a write acts only at that moment, so its values are not a setting to restore
+    once: bool = False  # a write acts only at that moment; its own values are no setting
     affected: frozenset[tuple[int, int]] = frozenset()  # set and descriptor of the data that AFFECTED selects from
     answers: dict[str, tuple[str, ...]] = field(default_factory=dict)  # response -> devices with this layout
 

@@ -110,7 +110,9 @@ class Settings:
         """Returns the setting to which a command refers, as a write command of the same type."""
         kind, at = type(command), storage_place(command)
         setting = self._current.get(at)
-        return self.factory(kind, command) if setting is None else self._as(kind, setting, command)
+        if setting is None or COMMANDS.get(kind.NAME, NOTHING).once:
+            return self.factory(kind, command)
+        return self._as(kind, setting, command)
 
     def write(self, command: Command) -> None:
         self._current[storage_place(command)] = command
