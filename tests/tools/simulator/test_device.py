@@ -207,6 +207,7 @@ def codes(packets: list[Packet]) -> list[tuple[int, int]]:
         (command(0x01, 0x09, b"\x02\x99"), INVALID),  # no such port
         (command(0x0C, 0x2E, b"\x02\x0d"), INVALID),  # more triggers than there are
         (command(0x0C, 0x0D, b"\x80\x00\x00"), FAILED),  # no stored format to poll
+        (command(0x0C, 0x41, b"\x01\x01\x01\x01\x06"), INVALID),  # a pull-up and a pull-down
         # Values that mean all, with functions for which they do not.
         (command(0x0D, 0x50, b"\x01\xff\xff\x01"), INVALID),
         (command(0x0D, 0x50, b"\x02\xff\xff"), INVALID),
@@ -536,7 +537,8 @@ def test_a_port_takes_and_gives_the_protocols_that_are_set() -> None:
 
 
 def test_an_output_keeps_its_level(host: Host) -> None:
-    assert host.refused(mip_3dm.GpioState.write(1, True)) == FAILED
+    host.ok(mip_3dm.GpioState.write(1, True))
+    assert host.ok(mip_3dm.GpioState.read(1)).state is False, "it is not an output"
     host.ok(mip_3dm.GpioConfig.write(1, types.GpioFeature.GPIO, 3, types.GpioPinMode(0)))
     assert host.ok(mip_3dm.GpioState.read(1)).state is True
     host.ok(mip_3dm.GpioState.write(1, False))

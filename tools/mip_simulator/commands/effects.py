@@ -15,7 +15,6 @@ from mip_tools.devices import views
 from mip_tools.devices.checks import NOTHING
 from mip_tools.devices.codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
 from mip_tools.devices.facts import COMMANDS
-from mip_tools.devices.names import value_named
 from mip_tools.devices.profiles import data_sets
 from mip_tools.devices.settings import arguments, command_type, stored_by
 from mip_tools.geometry import earth
@@ -262,12 +261,14 @@ def _trigger_mode(device: DeviceState, call: Call) -> Outcome:
 def _pin(device: DeviceState, call: Call) -> Outcome:
     """Sets a new output to the level of its behavior; an input with a pull-up is high."""
     pin, behavior = call.values["pin"], call.values["behavior"].name
+    options = names_of_bits(call.values["options"])
+    if call.writes and {"pullup", "pulldown"} <= options:
+        raise Refused(INVALID_PARAMETER)
     if call.values["feature"].name == "GPIO" and behavior in ("OUTPUT_LOW", "OUTPUT_HIGH"):
         device.world.pins[pin] = behavior == "OUTPUT_HIGH"
     else:
         device.world.pins.pop(pin, None)
-    options = call.values["options"]
-    if options & value_named(type(options), ("pullup",)):
+    if "pullup" in options:
         device.world.pulled_up.add(pin)
     else:
         device.world.pulled_up.discard(pin)
@@ -276,9 +277,7 @@ def _pin(device: DeviceState, call: Call) -> Outcome:
 
 def _pin_state(device: DeviceState, call: Call) -> Outcome:
     pin = call.values["pin"]
-    if call.writes:
-        if pin not in device.world.pins:  # not an output
-            raise Refused(COMMAND_FAILED)
+    if call.writes and pin in device.world.pins:  # an output
         device.world.pins[pin] = bool(call.values["state"])
     return DONE
 
