@@ -433,3 +433,32 @@ test("the live page reads times as those of the device", { skip: !real && "of th
     };
     assert.deepEqual([undefined, "3dm-gx5-25", "3dm-cv7-ahrs"].map(dated), [true, true, false]);
 });
+
+test("live data that is not valid is not drawn, and slow data is not late", { skip: !real && "of the real one" }, () => {
+    const readings = new globalThis.mip.Readings(protocol);
+    const take = (field, values, arrival) => {
+        const packet = buildPacket(protocol, 0x82, [{ name: `filter_data.${field}`, values }]);
+        readings.take(Object.assign(packet, { arrival }));
+        return readings.fields.get(0x8200 + protocol.field(`filter_data.${field}`).descriptor);
+    };
+    const angles = (values) => take("euler_angles", { roll: 0, pitch: 0, yaw: 1, valid_flags: 1, ...values }, 1).rotation;
+    assert.ok(angles({}));
+    for (const values of [{ valid_flags: 0 }, { yaw: Number.NaN }, { yaw: "0x7fe5bf7f" }]) assert.equal(angles(values), undefined);
+    assert.equal(take("euler_angles_uncertainty", { roll: 0, pitch: 0, yaw: 1, valid_flags: 1 }, 1).rotation, undefined);
+    const position = (values, arrival) =>
+        take("llh_position", { latitude: 44, longitude: -73, ellipsoid_height: 90, valid_flags: 1, ...values }, arrival);
+    const reading = position({}, 10);
+    reading.plotted = true;
+    for (const values of [{ valid_flags: 0 }, { latitude: Number.NaN }, {}]) position(values, 20);
+    assert.deepEqual([reading.track.length, ...reading.plots.map(({ unit }) => unit)], [1, undefined, "m"]);
+    position({}, 30);
+    assert.deepEqual(
+        [54, 56].map((now) => reading.isLate(now)),
+        [false, true],
+    );
+    position({}, 30.01);
+    assert.deepEqual(
+        [32, 33].map((now) => reading.isLate(now)),
+        [false, true],
+    );
+});

@@ -86,6 +86,11 @@ export function drawTrack(canvas, { track }) {
     const held = begin(canvas);
     if (!held) return;
     const { context, width, height, colour, text } = held;
+    if (!track.length) {
+        context.fillStyle = text;
+        context.fillText("no valid position", 6, 14);
+        return;
+    }
     const { latitude, longitude } = track.at(-1);
     const across = DEGREE * Math.cos((latitude * Math.PI) / 180);
     const points = track.map((one) => [(one.longitude - longitude) * across, (one.latitude - latitude) * DEGREE]);

@@ -1,6 +1,6 @@
 // Data from a device: the latest values, their rates, and the last seconds of those that are plotted.
 
-import { decodeData, MipError, nameIn, parametersAt, partsOf, Times, unitOf } from "mip-protocol/tools";
+import { decodeData, isValid, MipError, nameIn, parametersAt, partsOf, Times, unitOf } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
 /** The number of seconds that a plot shows. */
@@ -8,6 +8,9 @@ export const SPAN = 10;
 
 /** The maximum number of points of a track. */
 const TRACK = 2000;
+
+/** The values of a position that make a track. */
+const POSITION = ["latitude", "longitude"];
 
 /** The number of seconds over which a rate is counted. */
 const WINDOW = 2;
@@ -18,14 +21,16 @@ export class Readings {
     packets = 0;
     #protocol;
     #clocks;
+    #device;
 
     constructor(protocol) {
         this.#protocol = protocol;
         this.#clocks = new Clocks(protocol);
     }
 
-    /** Reads the times of later packets as those of a device, by its id; of no known device if it is undefined. */
+    /** Reads the times and flags of later packets as those of a device, by its id; of no known device if it is undefined. */
     set device(device) {
+        this.#device = device;
         this.#clocks = new Clocks(this.#protocol, new Times({ device }));
     }
 
@@ -52,6 +57,7 @@ export class Readings {
                 this.fields.set(key, reading);
             }
             reading.data = data;
+            reading.device = this.#device;
             reading.count++;
             reading.rhythm.add(time);
             reading.times.push(packet.arrival);
@@ -105,8 +111,25 @@ class Reading {
     rate(now) {
         if (this.rhythm.rate) return this.rhythm.rate;
         const first = this.times.findIndex((time) => time > now - WINDOW);
-        const some = first < 0 ? [] : this.times.slice(first);
-        return some.length > 1 ? (some.length - 1) / (some.at(-1) - some[0] || WINDOW) : some.length / WINDOW;
+        const some = this.times.slice(first < 0 ? -2 : Math.min(first, this.times.length - 2)); // the last two, however old
+        return some.length > 1 ? (some.length - 1) / (some.at(-1) - some[0] || WINDOW) : 1 / WINDOW;
+    }
+
+    /** Is the field no longer sent? Between the samples of a slow one, more than WINDOW seconds pass. */
+    isLate(now) {
+        return now - this.times.at(-1) > Math.max(WINDOW, 2.5 / this.rate(now));
+    }
+
+    /** Returns the attitude, like `rotationOf`; undefined if the device does not mark it as valid. */
+    get rotation() {
+        const { values } = this;
+        const rotation = rotationOf(this.field, values);
+        const names = rotation ? this.field.parameters.map(({ name }) => name) : [];
+        return this.#areValid(values, names) ? rotation : undefined;
+    }
+
+    #areValid(values, names) {
+        return names.every((name) => isValid(this.#protocol, this.field, values, name, this.device));
     }
 
     /**
@@ -137,7 +160,8 @@ class Reading {
                     points.findIndex(([at]) => at > seconds - SPAN),
                 );
         }
-        if (typeof values.latitude === "number" && typeof values.longitude === "number") this.#travel(seconds, values);
+        const finite = POSITION.every((name) => Number.isFinite(values[name]));
+        if (finite && this.#areValid(values, POSITION)) this.#travel(seconds, values);
     }
 
     #unitOf(path) {
@@ -161,9 +185,8 @@ class Reading {
 
     /** Returns what is plotted together: for each unit { unit, series }, and for a position the { track } in place of its angles. */
     get plots() {
-        const moves = this.track.length > 0;
-        const angles = new Set(moves ? ["latitude", "longitude"] : []);
-        const shown = [...this.series].filter(([key]) => !angles.has(key)).map(([, one]) => one);
+        const moves = POSITION.every((name) => this.series.has(name));
+        const shown = [...this.series].filter(([key]) => !(moves && POSITION.includes(key))).map(([, one]) => one);
         const units = [...new Set(shown.map(({ unit }) => unit))];
         const plots = units.map((unit) => ({ unit, series: shown.filter((one) => one.unit === unit) }));
         return moves ? [{ track: this.track }, ...plots] : plots;
@@ -186,27 +209,24 @@ class Reading {
 
 /**
  * Returns the rotation from the vehicle to the NED frame, as the rows of a
- * matrix, from a field's quaternion, matrix, or roll, pitch and yaw; undefined for other fields.
+ * matrix, from a field's quaternion, matrix, or roll, pitch and yaw; undefined for other fields, and without numbers.
  */
 export function rotationOf(field, values) {
-    const attitude = /attitude|orientation|quaternion|euler/i.test(field?.title ?? "") && field.role === "data";
-    if (!attitude || !values) return undefined;
-    const { roll, pitch, yaw } = values;
-    if (roll !== undefined && pitch !== undefined && yaw !== undefined) return ofAngles(roll, pitch, yaw);
+    const attitude = /^(?!.*(uncertainty|update)).*(attitude|orientation|quaternion|euler)/i.test(field?.title ?? "");
+    if (!attitude || field.role !== "data" || !values) return undefined;
+    const from = (numbers, rotation) => (numbers.every(Number.isFinite) ? rotation(numbers) : undefined);
+    const angles = [values.roll, values.pitch, values.yaw];
+    if (!angles.includes(undefined)) return from(angles, ofAngles);
     for (const { name, type, length } of field.parameters) {
         if (length !== undefined) continue;
-        if (type === "quatf") return ofQuaternion(values[name]);
-        if (type === "matrix3f") return transposed([0, 3, 6].map((at) => values[name].slice(at, at + 3)));
+        if (type === "quatf") return from(values[name], ofQuaternion);
+        if (type === "matrix3f") return from(values[name], (m) => [0, 1, 2].map((at) => [m[at], m[at + 3], m[at + 6]]));
     }
     return undefined;
 }
 
-function transposed(m) {
-    return m.map((_, i) => m.map((row) => row[i]));
-}
-
-function ofAngles(roll, pitch, yaw) {
-    const [cr, sr, cp, sp, cy, sy] = [roll, pitch, yaw].flatMap((angle) => [Math.cos(angle), Math.sin(angle)]);
+function ofAngles(angles) {
+    const [cr, sr, cp, sp, cy, sy] = angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle)]);
     return [
         [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
         [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
