@@ -419,7 +419,8 @@ class FakeSerial {
     }
 
     async open({ baudRate }) {
-        assert.equal(this.readable, undefined, "it is open");
+        assert.ok(!this.isOpen, "it is open");
+        this.isOpen = true;
         this.opens.push(baudRate);
         const answer = (bytes) => {
             const right = baudRate === this.rate;
@@ -441,8 +442,16 @@ class FakeSerial {
         this.writable = new WritableStream({ write: answer });
     }
 
+    /** The device is unplugged: the port is open until it is closed. */
+    lose() {
+        this.readable = this.writable = null;
+        this.controller.error(new Error("The device has been lost."));
+    }
+
     async close() {
-        this.readable = this.writable = undefined;
+        assert.ok(this.isOpen, "it is closed");
+        this.isOpen = false;
+        this.readable = this.writable = null;
     }
 }
 
@@ -455,10 +464,14 @@ test("the baud rate of a serial port is found", async () => {
     await new Promise((resolve) => setTimeout(resolve, 20));
     assert.equal(await device.request(new Ping()), undefined);
     await device.close();
-    assert.equal(port.readable, undefined);
+    assert.ok(!port.isOpen);
     const given = new FakeSerial(9600);
     await (await openSerial(given, { baud: 9600 })).close();
     assert.deepEqual(given.opens, [9600]);
+    const lost = new FakeSerial(1);
+    setTimeout(() => lost.lose(), 100);
+    await assert.rejects(openSerial(lost), { kind: "closed" });
+    assert.ok(!lost.isOpen); // it can be opened again
 });
 
 test("a serial port without a device", async (t) => {

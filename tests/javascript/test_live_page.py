@@ -78,7 +78,7 @@ def opened(page: browser.Page, fragment: str) -> None:
 
 def connected(page: browser.Page, served: Served, streams: str = STREAMS) -> None:
     opened(page, f"serve={served.server.address}&streams={streams}")
-    page.run("press('Connect')")
+    page.run("press('Connect'); press('Connect')")  # the second one does nothing
     page.run("until(() => /^Connected to|^Not|not identified/.test(text('.mip-status')))")
     assert page.run("text('.mip-status')") == "Connected to 3DM-CV7-GNSS/INS."
 
@@ -167,12 +167,18 @@ def test_a_recording_has_what_the_device_sent(page: browser.Page) -> None:
         connected(page, at, "sensor.scaled_accel@100")
         page.run("press('Record'); press('Start')")
         page.run("until(() => Number.parseInt(text('.mip-totals [role=status]')) > 3000)")
+        leaves = "dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+        assert not page.run(leaves)
         page.run("press('Stop and save')")
+        assert page.run(leaves)
         name, data = page.run("saved[0].arrayBuffer().then((bytes) => [saved[0].called, [...new Uint8Array(bytes)]])")
         assert name.startswith(f"{DEVICE}-") and name.endswith(".bin")
         parser = Parser()
         packets = parser.feed(bytes(data)) + parser.flush()
         assert parser.skipped == 0 and sum(p.set == sensor.ScaledAccel.SET for p in packets) > 100
+        page.run("press('Record'); until(() => Number.parseInt(text('.mip-totals [role=status]')) < 3000)")
+        page.run("mip.live(document.querySelector('#tool'), new mip.Protocol(mip.model))")
+        page.run("until(() => saved[1]?.size)")
 
 
 def key(page: browser.Page, name: str, code: int, text: str = "") -> None:
@@ -274,11 +280,15 @@ def test_a_page_without_the_token_reaches_nothing(page: browser.Page) -> None:
     page.complaints.clear()
 
 
-#: A serial port of the browser behind which a WebSocket is; it has the device at one baud rate only.
+#: A serial port of the browser behind which a WebSocket is; it has the device at one baud rate only. Another device of
+#: the same kind is always there.
 SERIAL = """
 (() => {
     class Port {
         async open({ baudRate }) {
+            if (this.isOpen) throw new DOMException("The port is already open.", "InvalidStateError");
+            if (this !== present) throw new DOMException("Failed to open serial port.", "NetworkError");
+            this.isOpen = true;
             tried.push(baudRate);
             const socket = baudRate === RIGHT ? new WebSocket(ADDRESS) : undefined;
             if (socket) {
@@ -289,19 +299,31 @@ SERIAL = """
             this.readable = new ReadableStream({ start: (to) => {
                 if (!socket) return;
                 socket.onmessage = ({ data }) => to.enqueue(new Uint8Array(data));
-                socket.onclose = () => { this.readable = null; to.error(new Error("The device has been lost.")); };
+                socket.onclose = () => {
+                    this.readable = this.writable = null;
+                    to.error(new DOMException("The device has been lost.", "NetworkError"));
+                };
             } });
             this.writable = new WritableStream({ write: (bytes) => socket?.send(bytes) });
         }
         async close() {
+            if (!this.isOpen) throw new DOMException("The port is already closed.", "InvalidStateError");
+            this.isOpen = false;
             if (!this.socket) return;
             this.socket.onclose = null;
             this.socket.close();
         }
+        getInfo() {
+            return { usbVendorId: 0x199b };
+        }
     }
+    const other = new Port();
+    let present = new Port();
+    window.plug = (on) => { present = on ? new Port() : undefined; };
     window.tried = [];
     const serial = new EventTarget();
-    serial.requestPort = async () => new Port();
+    serial.requestPort = async () => present;
+    serial.getPorts = async () => [other, present].filter(Boolean);
     Object.defineProperty(navigator, "serial", { value: serial, configurable: true });
 })();
 0
@@ -316,8 +338,22 @@ def test_a_serial_port_whose_baud_rate_is_searched(page: browser.Page) -> None:
         page.run("press('Open a serial port …'); until(() => text('.mip-status') === 'Connected to 3DM-CV7-GNSS/INS.')")
         assert page.run("tried") == [115200, 3000000, 921600, 460800]
         started(page)
+        said = "until(() => text('.mip-status') === {!r})".format
+        streams = "until(() => document.querySelectorAll('.mip-each > .mip-reading:not(.mip-last)').length === 5)"
         at.unplug()
-        page.run("until(() => /The connection is lost: .*The device has been lost/.test(text('.mip-status')))")
+        page.run(said("The connection is lost: The device has been lost. Connect again"))
+        assert page.run("[...document.querySelectorAll('.mip-totals button')].every((one) => one.disabled)")
+        page.run("press('Connect again')")
+        page.run(said("Connected to 3DM-CV7-GNSS/INS."))
+        page.run(streams)
+        page.run("plug(false)")  # it will be another port
+        at.unplug()
+        page.run(said("The connection is lost: The device has been lost. Connect again"))
+        page.run("navigator.serial.dispatchEvent(new Event('disconnect')); press('Connect again')")
+        page.run(said("Not connected: Failed to open serial port. Try again"))
+        page.run("plug(true); press('Try again')")
+        page.run(said("Connected to 3DM-CV7-GNSS/INS."))
+        page.run(streams)
 
 
 def test_without_web_serial_it_is_said(page: browser.Page) -> None:
@@ -328,3 +364,9 @@ def test_without_web_serial_it_is_said(page: browser.Page) -> None:
     opened(page, "")
     assert "This browser has no Web Serial" in page.run("text('.mip-connect')")
     assert page.run("document.querySelector('.mip-connect button').disabled")
+    page.call(
+        "Page.addScriptToEvaluateOnNewDocument",
+        source="Object.defineProperty(window, 'isSecureContext', { value: false })",
+    )
+    opened(page, "")
+    assert "open serial ports only for pages from https://" in page.run("text('.mip-connect')")

@@ -19,9 +19,11 @@ export function element(name, ...children) {
  * Links into the reference. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
  * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field} and {packet} in them;
  * that of an erratum has its {manual}, {severity} and {id}. Without one, there are no links. A response is on the page
- * of its command.
+ * of its command. `options.target` is that of the links.
  */
 export function links(options = {}) {
+    const { target } = options;
+    const link = (href, words) => (href ? element("a", { href, target, rel: target && "noopener" }, ...words) : element("span", ...words));
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
     return {
         field(field, ...words) {
@@ -43,10 +45,6 @@ export function links(options = {}) {
             return href && element("a", { href, class: "mip-note", "aria-label": `Build a packet: ${field.title}` }, "Build a packet");
         },
     };
-}
-
-function link(href, words) {
-    return href ? element("a", { href }, ...words) : element("span", ...words);
 }
 
 /** Describes the gaps in the profile of a device, if it is incomplete. */

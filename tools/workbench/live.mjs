@@ -11,7 +11,7 @@ import { count, deviceOf, element, links, profileNote } from "./dom.mjs";
 import { colourOf, drawAttitude, drawPlot, drawTrack, fixed } from "./draw.mjs";
 import { inspectBytes, inspectData } from "./inspect.mjs";
 import { transaction } from "./inspector.mjs";
-import { anglesOf, Readings, rotationOf } from "./readings.mjs";
+import { anglesOf, Readings } from "./readings.mjs";
 import { needOf, needText } from "./stream.mjs";
 import { presetOf, streamChooser } from "./streams.mjs";
 import { flagText, hexByte } from "./words.mjs";
@@ -29,7 +29,9 @@ const PLOTS = 4;
 const DECIMALS = { deg: 8, rad: 5, "rad/s": 5, g: 5, "m/s^2": 4, gauss: 5, m: 3, "m/s": 3, s: 6, mbar: 2, degC: 2 };
 
 const SERIAL =
-    "This browser has no Web Serial, so it cannot open a serial port; Chrome, Edge and Opera on a computer can. " +
+    (globalThis.isSecureContext
+        ? "This browser has no Web Serial, so it cannot open a serial port; Chrome, Edge and Opera on a computer can. "
+        : "Browsers open serial ports only for pages from https://, from localhost or from disk. ") +
     "Run mip serve PORT and connect to the address that it prints.";
 
 const LIMITS = [
@@ -44,7 +46,7 @@ const LIMITS = [
 
 /** Fills an element with the tool. `options` are those of `links`, and `start`, the fragment of an address. */
 export function live(root, protocol, options = {}) {
-    new Live(root, protocol, options);
+    new Live(root, protocol, { ...options, target: "_blank" }); // another page in this tab would end the connection
 }
 
 class Live {
@@ -60,7 +62,6 @@ class Live {
     #shown = new Map(); // key of a field -> the elements that show it
     #chooser;
     #builder;
-    #timer;
 
     constructor(root, protocol, options) {
         this.#protocol = protocol;
@@ -94,6 +95,7 @@ class Live {
             serve,
             baud,
             serial: button("Open a serial port …", this.#openPort, { class: "mip-main", disabled: !navigator.serial }),
+            open: element("button", "Connect"),
             status: element("p.mip-status", { role: "status" }, "Not connected."),
             actions: element("p.mip-actions"),
             identity: element("div"),
@@ -131,7 +133,7 @@ class Live {
                 element("label", { for: "mip-serve" }, "or the address that mip serve prints "),
                 serve,
                 " ",
-                element("button", "Connect"),
+                parts.open,
             ),
             element("p", parts.preset, element("label", { for: "mip-preset" }, " Start inertial data, attitude and position at once")),
             element(
@@ -161,13 +163,12 @@ class Live {
             send: (packet) => this.#send(packet),
         });
         this.#useDevice(deviceOf(this.#protocol, state.get("device")));
-        navigator.serial?.addEventListener?.("disconnect", () => this.#say("A serial port was unplugged."));
-        this.#timer = setInterval(() => this.#show(), TURN);
+        const timer = setInterval(() => this.#show(), TURN);
         let drawn = 0;
         const frame = (time) => {
-            if (!root.isConnected || !root.contains(parts.status)) {
-                clearInterval(this.#timer);
-                this.#device?.close(); // the tool was replaced
+            if (!parts.status.isConnected) {
+                clearInterval(timer);
+                this.#disconnect(); // the tool was replaced
                 return;
             }
             if (time - drawn >= FRAME) {
@@ -191,7 +192,7 @@ class Live {
     #tellNeed() {
         const problem = this.#chooser?.problem();
         const need = problem || !this.#chooser ? { bytes: 0 } : needOf(this.#chooser.chosen());
-        this.#parts.start.disabled = !need.bytes;
+        this.#parts.start.disabled = !need.bytes || !this.#device;
         this.#parts.need.textContent = problem
             ? `${problem.field.title} needs ${problem.problem()}.`
             : need.bytes
@@ -200,6 +201,13 @@ class Live {
     }
 
     // ------------------------------------------------------------------------------------------------ connection
+
+    /** Sets the device, and enables the buttons that need one. */
+    #use(device) {
+        this.#device = device;
+        this.#parts.stop.disabled = this.#parts.record.disabled = !device;
+        this.#tellNeed();
+    }
 
     async #openPort() {
         let port;
@@ -210,7 +218,13 @@ class Live {
             return;
         }
         const baud = Number(this.#parts.baud.value) || undefined;
-        await this.#connect((more) => openSerial(port, { baud, ...more }), baud ? "" : " It may take some seconds to find the baud rate.");
+        const before = await navigator.serial.getPorts();
+        const open = async (more) => {
+            port = await present(port, before);
+            return openSerial(port, { baud, ...more });
+        };
+        this.#streaming = false;
+        await this.#connect(open, baud ? "" : " It may take some seconds to find the baud rate.");
     }
 
     async #openServe() {
@@ -220,22 +234,31 @@ class Live {
             return;
         }
         this.#state.set({ serve: url });
+        this.#streaming = false;
         await this.#connect((more) => openWebSocket(url, more));
     }
 
+    /** Connects, one attempt at a time: a second one would leave the port of the first open. */
     async #connect(open, words = "") {
-        await this.#disconnect();
+        const { serial, open: serve } = this.#parts;
+        if (serve.disabled) return;
+        serial.disabled = serve.disabled = true;
         this.#open = () => this.#connect(open, words);
         this.#say(`Connecting …${words}`);
         let device;
         try {
+            await this.#disconnect();
             device = await open({ explain: rejections(this.#protocol.model), onBytes: (bytes) => this.#recording?.add(bytes) });
         } catch (error) {
-            this.#say(element("span.mip-wrong", `Not connected: ${error.message}.`));
+            this.#say(wrong("Not connected", error));
             this.#offer("Try again");
             return;
+        } finally {
+            serial.disabled = !navigator.serial;
+            serve.disabled = false;
         }
-        this.#device = device;
+        if (!this.#parts.status.isConnected) return device.close(); // the tool was replaced
+        this.#use(device);
         this.#readings = new Readings(this.#protocol);
         this.#shown.clear();
         this.#parts.data.replaceChildren();
@@ -259,7 +282,7 @@ class Live {
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
             if (device !== this.#device) return; // lost meanwhile
-            this.#say(element("span.mip-wrong", `Connected, but the device was not identified: ${error.message}.`));
+            this.#say(wrong("Connected, but the device was not identified", error));
         }
         if (device !== this.#device) return;
         this.#parts.actions.replaceChildren(element("button", { type: "button", onclick: () => this.#leave() }, "Disconnect"));
@@ -283,21 +306,19 @@ class Live {
         }
     }
 
-    #lost(error) {
-        this.#device = undefined;
-        this.#say(element("span.mip-wrong", `The connection is lost: ${error.cause?.message ?? error.message}.`));
-        this.#parts.actions.replaceChildren();
+    async #lost(error) {
+        this.#say(wrong("The connection is lost", error.cause ?? error));
+        await this.#disconnect(); // a serial port that is lost cannot be opened before it is closed
         this.#offer("Connect again");
-        this.#endRecording();
         this.#parts.connect.hidden = false;
     }
 
     /** Creates a button that reconnects, and restarts the streams that were on. */
     #offer(words) {
-        const streaming = this.#streaming;
         const again = async () => {
+            const streaming = this.#streaming;
             await this.#open();
-            if (streaming && this.#device) await this.#start();
+            if (streaming) await this.#start();
         };
         this.#parts.status.append(" ", element("button", { type: "button", onclick: again }, words));
     }
@@ -313,17 +334,18 @@ class Live {
 
     async #disconnect() {
         const device = this.#device;
-        this.#device = undefined;
-        this.#streaming = false;
+        this.#use(undefined);
         this.#endRecording();
         this.#parts.actions.replaceChildren();
-        await device?.close();
+        await device?.close().catch(() => {}); // it may be lost
     }
 
     // ------------------------------------------------------------------------------------------------ streams
 
     async #start() {
         const { outcome } = this.#parts;
+        const device = this.#device;
+        if (!device) return;
         const said = [];
         this.#readings.restart();
         try {
@@ -331,10 +353,10 @@ class Live {
                 const set = fields[0].set.number;
                 const rates = fields.map(({ field, rate }) => [registry.types(set, field.descriptor)[0], rate]);
                 try {
-                    await this.#device.stream(rates, { set });
+                    await device.stream(rates, { set });
                 } catch (error) {
                     if (error.kind !== "rate" || !error.nearest) throw error;
-                    await this.#device.stream([...error.nearest], { set });
+                    await device.stream([...error.nearest], { set });
                     said.push(`${error.message}; started at the nearest rates.`);
                 }
             }
@@ -343,17 +365,18 @@ class Live {
             outcome.replaceChildren(said.join(" ") || "Started.");
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            outcome.replaceChildren(element("span.mip-wrong", `Not started: ${error.message}.`));
+            outcome.replaceChildren(wrong("Not started", error));
         }
     }
 
     async #stop() {
+        if (!this.#device) return;
         try {
-            await this.#device?.identify(); // sets the device to idle
+            await this.#device.identify(); // sets the device to idle
             this.#parts.outcome.replaceChildren("Stopped: the device is idle.");
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            this.#parts.outcome.replaceChildren(element("span.mip-wrong", `Not stopped: ${error.message}.`));
+            this.#parts.outcome.replaceChildren(wrong("Not stopped", error));
         }
         this.#streaming = false;
     }
@@ -385,13 +408,13 @@ class Live {
             return found.map((one) =>
                 element(
                     "div.mip-transaction",
-                    one.answer ? transaction(one, this.#to) : element("p.mip-wrong", `${one.command.field.title}: ${one.error}.`),
+                    one.answer ? transaction(one, this.#to) : element("p", wrong(one.command.field.title, { message: one.error })),
                     one.answer && one.error && element("p.mip-wrong", `${one.error}.`),
                 ),
             );
         } catch (error) {
             if (!(error instanceof MipError)) throw error;
-            return [element("p.mip-wrong", `Not sent: ${error.message}.`)];
+            return [element("p", wrong("Not sent", error))];
         }
     }
 
@@ -403,12 +426,14 @@ class Live {
             return;
         }
         this.#recording = new Recording(this.#state.get("device") || "device");
+        addEventListener("beforeunload", ask);
         this.#parts.record.textContent = "Stop and save";
     }
 
     #endRecording() {
         const recording = this.#recording;
         this.#recording = undefined;
+        removeEventListener("beforeunload", ask);
         this.#parts.record.textContent = "Record";
         if (!recording) return;
         this.#parts.recorded.textContent = recording.size ? `${recording.size} bytes saved as ${recording.name}.` : "Nothing was received.";
@@ -463,7 +488,7 @@ class Live {
         this.#parts.data.append(root);
         let cells = [];
         const update = (now) => {
-            const late = now - reading.times.at(-1) > 2;
+            const late = reading.isLate(now);
             rate.textContent = `${set}, ${late ? "no longer sent" : `${Number(reading.rate(now).toPrecision(3))} Hz`}`;
             root.classList.toggle("mip-late", late);
             const rows = inspectData(this.#protocol, reading, this.#state.get("device") || undefined);
@@ -496,7 +521,7 @@ class Live {
                 if (plot.track) drawTrack(canvas, plot);
                 else drawPlot(canvas, plot, reading.timeAt(now), reading.dated);
             }
-            attitude ??= now - reading.times.at(-1) < 2 ? rotationOf(reading.field, reading.values) : undefined;
+            attitude ??= reading.isLate(now) ? undefined : reading.rotation;
         }
         this.#parts.picture.hidden = !attitude;
         if (!attitude) return;
@@ -506,6 +531,24 @@ class Live {
         this.#parts.angles.textContent = text;
         this.#parts.attitude.setAttribute("aria-label", `Attitude: ${text}`);
     }
+}
+
+/** Makes the browser ask before it leaves the page. */
+function ask(event) {
+    event.preventDefault();
+}
+
+/** Describes an error; the messages of browsers end with a period. */
+function wrong(words, { message }) {
+    return element("span.mip-wrong", `${words}: ${message.replace(/\.$/, "")}.`);
+}
+
+/** Returns a port, or the one that has replaced it, as its device was plugged in again: one that was not there `before`. */
+async function present(port, before) {
+    const ports = await navigator.serial.getPorts();
+    const kind = (one) => JSON.stringify(one.getInfo());
+    const others = ports.filter((one) => !before.includes(one) && kind(one) === kind(port));
+    return ports.includes(port) || others.length !== 1 ? port : others[0];
 }
 
 /** Creates a collapsible part of the page. */

@@ -12,8 +12,13 @@ export async function openSerial(port, { baud, ...options } = {}) {
     if (baud !== undefined) return Device.open(() => opened(port, baud), options);
     for (const rate of BAUD_RATES) {
         const device = await Device.open(() => opened(port, rate), options);
-        if (await answers(device)) return device;
-        await device.close();
+        let found = false;
+        try {
+            found = await answers(device);
+            if (found) return device;
+        } finally {
+            if (!found) await device.close().catch(() => {}); // a port that is lost cannot be opened before it is closed
+        }
     }
     throw new MipError("no_device", `no device answers at ${BAUD_RATES.join(", ")} Bd; is it switched on, and on this port?`);
 }
