@@ -495,6 +495,23 @@ def test_packets_of_pages_open_in_the_builder(page: browser.Page, address: str, 
 
 
 @in_browser
+@pytest.mark.parametrize("tool", ["inspector", "live"])
+def test_an_anchor_of_the_page_is_not_for_the_tool(tool: str, page: browser.Page) -> None:
+    """A link to a heading leaves the tool as it is, and those of the live view leave its page."""
+    inside = "document.querySelector('.mip-tool')"
+    go(page, f"tools/{tool}.html#bytes=756501020201E0C6")
+    page.run(f"{inside}.firstChild.kept = true")
+    page.run("document.querySelector('article h1 .headerlink').click()")
+    wait(page, "document.getElementById(location.hash.slice(1))")
+    page.run("new Promise((done) => setTimeout(done, 500))")
+    assert page.run(f"{inside}.firstChild.kept")
+    page.run("location.hash = '#bytes=75650C04042801041B55'")
+    wait(page, f"!{inside}.firstChild.kept")
+    targets = set(page.run(f"[...{inside}.querySelectorAll('a')].map((link) => link.target)"))
+    assert targets == ({"_blank"} if tool == "live" else {""}), targets
+
+
+@in_browser
 def test_tools_of_another_specification(page: browser.Page) -> None:
     for name in ("inspector", "builder", "bandwidth", "finder", "live"):
         go(page, f"tools/{name}.html", "invented")

@@ -101,7 +101,8 @@ export class State {
         const folder = location.pathname.replace(/[^/]*$/, "");
         for (const link of document.links) {
             const beside = link.pathname.startsWith(folder) && PAGE.test(link.pathname.slice(folder.length));
-            if (beside && !link.closest(".mip-tool")) link.setAttribute("href", this.link(link.getAttribute("href").split("#")[0]));
+            const [page] = link.getAttribute("href").split("#"); // "" for a heading of this page
+            if (beside && page && !link.closest(".mip-tool")) link.setAttribute("href", this.link(page));
         }
     }
 }

@@ -46,12 +46,13 @@
     // ------------------------------------------------------------------------------------------------ tools
 
     async function fill(tool) {
+        const anchor = () => document.getElementById(location.hash.slice(1)); // that of a heading is not for the tool
         const show = async () => {
             const of = await protocol();
-            if (of) mip[tool.dataset.tool](tool, of, { ...addresses, start: mip.fragment(), device: mine()?.id });
+            if (of) mip[tool.dataset.tool](tool, of, { ...addresses, start: anchor() ? "" : mip.fragment(), device: mine()?.id });
         };
         await show();
-        addEventListener("hashchange", show);
+        addEventListener("hashchange", () => anchor() || show());
     }
 
     /** Creates a link that opens a tool with a packet. */
