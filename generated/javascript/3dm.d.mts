@@ -1644,7 +1644,7 @@ export declare class SensorToVehicleTransformEulerResponse extends Response {
 export declare class SensorToVehicleTransformQuaternionResponse extends Response {
     constructor(values: Values<SensorToVehicleTransformQuaternionResponse>);
     /**
-     * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements: w, x, y, z. Unit:
+     * Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Elements: w, x, y, z. Unit:
      * 1.
      */
     q: types.Quatf;
@@ -1660,7 +1660,10 @@ export declare class SensorToVehicleTransformQuaternionResponse extends Response
  */
 export declare class SensorToVehicleTransformDcmResponse extends Response {
     constructor(values: Values<SensorToVehicleTransformDcmResponse>);
-    /** The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. */
+    /**
+     * Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12, m13, m21, m22, m23,
+     * m31, m32, m33. Unit: 1.
+     */
     dcm: types.Matrix3f;
 }
 
@@ -2827,7 +2830,7 @@ export declare class SensorToVehicleTransformQuaternion<R extends Response | und
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements: w, x, y, z. Unit:
+     * Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Elements: w, x, y, z. Unit:
      * 1. Required for `write`.
      */
     q?: types.Quatf;
@@ -2868,8 +2871,8 @@ export declare class SensorToVehicleTransformDcm<R extends Response | undefined 
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
-     * `write`.
+     * Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12, m13, m21, m22, m23,
+     * m31, m32, m33. Unit: 1. Required for `write`.
      */
     dcm?: types.Matrix3f;
     /** Apply the new setting. */

@@ -830,7 +830,10 @@ export declare class MagneticMagnitudeSourceResponse extends Response {
  */
 export declare class SensorToVehicleRotationDcmResponse extends Response {
     constructor(values: Values<SensorToVehicleRotationDcmResponse>);
-    /** Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. */
+    /**
+     * Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12, m13, m21, m22, m23,
+     * m31, m32, m33. Unit: 1.
+     */
     dcm: types.Matrix3f;
 }
 
@@ -843,7 +846,10 @@ export declare class SensorToVehicleRotationDcmResponse extends Response {
  */
 export declare class SensorToVehicleRotationQuaternionResponse extends Response {
     constructor(values: Values<SensorToVehicleRotationQuaternionResponse>);
-    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. */
+    /**
+     * Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first. Elements: w, x, y, z. Unit:
+     * 1. Range: magnitude 0.999 to 1.001.
+     */
     q: types.Quatf;
 }
 
@@ -2450,8 +2456,8 @@ export declare class SensorToVehicleRotationDcm<R extends Response | undefined =
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
-     * `write`.
+     * Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12, m13, m21, m22, m23,
+     * m31, m32, m33. Unit: 1. Required for `write`.
      */
     dcm?: types.Matrix3f;
     /** Apply the new setting. */
@@ -2487,8 +2493,8 @@ export declare class SensorToVehicleRotationQuaternion<R extends Response | unde
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for
-     * `write`.
+     * Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first. Elements: w, x, y, z. Unit:
+     * 1. Range: magnitude 0.999 to 1.001. Required for `write`.
      */
     q?: types.Quatf;
     /** Apply the new setting. */

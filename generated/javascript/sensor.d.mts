@@ -210,10 +210,10 @@ export declare class DeltaVelocity extends Data {
 export declare class CompOrientationMatrix extends Data {
     constructor(values: Values<CompOrientationMatrix>);
     /**
-     * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
-     * Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1.
+     * Rotates vectors of the NED frame into the vehicle frame; row-major. Elements: m11, m12, m13, m21, m22, m23, m31,
+     * m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1.
      *
-     * - On the 3DM-GX5-15: Rotation from the NED frame to the sensor frame.
+     * - On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame; row-major.
      */
     m: types.Matrix3f;
 }
@@ -268,14 +268,15 @@ export declare class CompOrientationUpdateMatrix extends Data {
  * Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 19 more. Uncertain: The
  * ranges of the angles are inferred; no source states them.
  *
- * The rotations are in the order yaw, pitch, roll (3-2-1).
- *
  * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
 export declare class CompEulerAngles extends Data {
     constructor(values: Values<CompEulerAngles>);
-    /** Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. */
+    /**
+     * Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. At rest and
+     * level: 0. Positive: right side down.
+     */
     roll: number;
     /**
      * Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0.

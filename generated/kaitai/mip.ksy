@@ -4040,7 +4040,7 @@ types:
       - id: q
         type: quatf
         if: function_value == function_selector::write or _io.size >= 17
-        doc: "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1."
+        doc: "Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm
     doc: Sensor-to-vehicle frame transformation direction cosine matrix. Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
@@ -4053,7 +4053,7 @@ types:
       - id: dcm
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
-        doc: "The matrix in row-major order. Unit: 1."
+        doc: "Rotates vectors of the sensor frame into the vehicle frame; row-major. Unit: 1."
   mip_3dm_gps_dynamics_mode:
     -orig-id: 3dm.gps_dynamics_mode
     doc: GPS dynamics mode. Sets the dynamics that the GNSS receiver assumes of the vehicle.
@@ -5549,14 +5549,14 @@ types:
     seq:
       - id: q
         type: quatf
-        doc: "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1."
+        doc: "Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm_response:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm_response
     doc: "Sensor-to-vehicle frame transformation direction cosine matrix response. "
     seq:
       - id: dcm
         type: matrix3f
-        doc: "The matrix in row-major order. Unit: 1."
+        doc: "Rotates vectors of the sensor frame into the vehicle frame; row-major. Unit: 1."
   mip_3dm_get_event_support_response:
     -orig-id: 3dm.get_event_support_response
     doc: "Get supported events response. "
@@ -6399,7 +6399,7 @@ types:
       - id: dcm
         type: matrix3f
         if: function_value == function_selector::write or _io.size >= 37
-        doc: "Rotation matrix in row-major order. Unit: 1."
+        doc: "Rotates vectors of the vehicle frame into the sensor frame; row-major. Unit: 1."
   filter_sensor_to_vehicle_rotation_quaternion:
     -orig-id: filter.sensor_to_vehicle_rotation_quaternion
     doc: Sensor to vehicle rotation, quaternion. Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
@@ -6412,7 +6412,7 @@ types:
       - id: q
         type: quatf
         if: function_value == function_selector::write or _io.size >= 17
-        doc: "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001."
+        doc: "Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first. Unit: 1. Range: magnitude 0.999 to 1.001."
   filter_aiding_measurement_enable:
     -orig-id: filter.aiding_measurement_enable
     doc: Aiding measurement control. Enables or disables one source of aiding measurements.
@@ -6964,14 +6964,14 @@ types:
     seq:
       - id: dcm
         type: matrix3f
-        doc: "Rotation matrix in row-major order. Unit: 1."
+        doc: "Rotates vectors of the vehicle frame into the sensor frame; row-major. Unit: 1."
   filter_sensor_to_vehicle_rotation_quaternion_response:
     -orig-id: filter.sensor_to_vehicle_rotation_quaternion_response
     doc: "Sensor to vehicle rotation, quaternion response. "
     seq:
       - id: q
         type: quatf
-        doc: "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001."
+        doc: "Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first. Unit: 1. Range: magnitude 0.999 to 1.001."
   filter_aiding_measurement_enable_response:
     -orig-id: filter.aiding_measurement_enable_response
     doc: "Aiding measurement control response. "
@@ -7579,7 +7579,7 @@ types:
       - id: rotation
         type: rotation_cases
         if: function_value == function_selector::write or (_io.size > 16 and ((format == aiding_aiding_frame_format::euler and _io.size >= 28) or (format == aiding_aiding_frame_format::quaternion and _io.size >= 32)))
-        doc: Rotation from the frame to the vehicle.
+        doc: Rotates vectors of the frame into the vehicle frame.
     types:
       rotation_cases:
         -kind: union
@@ -7838,7 +7838,7 @@ types:
         doc: "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle."
       - id: rotation
         type: rotation_cases
-        doc: Rotation from the frame to the vehicle.
+        doc: Rotates vectors of the frame into the vehicle frame.
     types:
       rotation_cases:
         -kind: union
@@ -7989,7 +7989,7 @@ types:
     seq:
       - id: m
         type: matrix3f
-        doc: "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. On the 3DM-GX5-15: Rotation from the NED frame to the sensor frame."
+        doc: "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame; row-major."
   sensor_comp_quaternion:
     -orig-id: sensor.comp_quaternion
     doc: Complementary filter quaternion. Attitude from the complementary filter as a quaternion, relative to the NED frame.
@@ -8010,7 +8010,7 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi."
       - id: pitch
         type: f4
         doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
@@ -9221,7 +9221,7 @@ types:
     seq:
       - id: dcm
         type: matrix3f
-        doc: "Rotation matrix in row-major order. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9231,7 +9231,7 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
         doc: "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."

@@ -1216,14 +1216,14 @@ field({ descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion", title = "Sensor-to-vehicle frame transformation quaternion" }, })
 field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-vehicle frame transformation direction cosine matrix",
     doc = "Sets the mounting of the sensor in the vehicle as a direction cosine matrix.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the sensor frame into the vehicle frame; row-major. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-vehicle frame transformation direction cosine matrix" }, })
 field({ descriptor = 0x34, name = "3dm.gps_dynamics_mode", role = "command", title = "GPS dynamics mode",
     doc = "Sets the dynamics that the GNSS receiver assumes of the vehicle.", least = 1,
@@ -1926,13 +1926,13 @@ field({ descriptor = 0xB2, name = "3dm.sensor_to_vehicle_transform_quaternion_re
     doc = "", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion_response", title = "Sensor-to-vehicle frame transformation quaternion response" }, })
 field({ descriptor = 0xB3, name = "3dm.sensor_to_vehicle_transform_dcm_response", role = "response", title = "Sensor-to-vehicle frame transformation direction cosine matrix response",
     doc = "", least = 36,
     always = 1,
     rows = {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "The matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the sensor frame into the vehicle frame; row-major. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm_response", title = "Sensor-to-vehicle frame transformation direction cosine matrix response" }, })
 field({ descriptor = 0xB4, name = "3dm.get_event_support_response", role = "response", title = "Get supported events response",
     doc = "", least = 3,
@@ -2357,14 +2357,14 @@ field({ descriptor = 0x4E, name = "filter.sensor_to_vehicle_rotation_dcm", role 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the vehicle frame into the sensor frame; row-major. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_dcm", title = "Sensor to vehicle rotation, matrix" }, })
 field({ descriptor = 0x4F, name = "filter.sensor_to_vehicle_rotation_quaternion", role = "command", title = "Sensor to vehicle rotation, quaternion",
     doc = "Sets the rotation from the sensor frame to the vehicle frame as a quaternion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_quaternion", title = "Sensor to vehicle rotation, quaternion" }, })
 field({ descriptor = 0x50, name = "filter.aiding_measurement_enable", role = "command", title = "Aiding measurement control",
     doc = "Enables or disables one source of aiding measurements.", least = 1,
@@ -2682,13 +2682,13 @@ field({ descriptor = 0xBE, name = "filter.sensor_to_vehicle_rotation_dcm_respons
     doc = "", least = 36,
     always = 1,
     rows = {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the vehicle frame into the sensor frame; row-major. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_dcm_response", title = "Sensor to vehicle rotation, matrix response" }, })
 field({ descriptor = 0xBF, name = "filter.sensor_to_vehicle_rotation_quaternion_response", role = "response", title = "Sensor to vehicle rotation, quaternion response",
     doc = "", least = 16,
     always = 1,
     rows = {
-      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first. Unit: 1. Range: magnitude 0.999 to 1.001.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_quaternion_response", title = "Sensor to vehicle rotation, quaternion response" }, })
 field({ descriptor = 0xD0, name = "filter.aiding_measurement_enable_response", role = "response", title = "Aiding measurement control response",
     doc = "", least = 3,
@@ -3047,7 +3047,7 @@ field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "Format of the rotation." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
+      { kind = "group", first = 5, last = 5, body = { { kind = "switch", name = "rotation", tag = "format", doc = "Rotates vectors of the frame into the vehicle frame.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above. Unit: rad. Frame: vehicle. Range: -pi to pi.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config", title = "Frame configuration" }, })
@@ -3177,7 +3177,7 @@ field({ descriptor = 0x81, name = "aiding.frame_config_response", role = "respon
       { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "Format of the rotation." },
       { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." },
       { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
+      { kind = "switch", name = "rotation", tag = "format", doc = "Rotates vectors of the frame into the vehicle frame.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above. Unit: rad. Frame: vehicle. Range: -pi to pi.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config_response", title = "Frame configuration response" }, })
@@ -3276,7 +3276,7 @@ field({ descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data
     doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
     always = 1,
     rows = {
-      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On the 3DM-GX5-15: Rotation from the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame; row-major.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_orientation_matrix", title = "Complementary filter orientation matrix" }, })
 field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
     doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
@@ -3294,7 +3294,7 @@ field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", tit
     doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down." },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down." },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up." },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x80, name = "sensor.comp_euler_angles", title = "Complementary filter Euler angles" }, })
@@ -3862,14 +3862,14 @@ field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", tit
     doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation matrix in row-major order. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
     doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "pitch", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest and level: 0. Positive: nose up. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },

@@ -4,6 +4,7 @@ specification's output (test_targets.py) has all of them."""
 from __future__ import annotations
 
 import dataclasses
+import re
 
 import pytest
 from mipgen import model as m
@@ -194,3 +195,22 @@ def test_only_descriptors_name_fields() -> None:
     assert isinstance(field, m.Field) and field.full_name == "sensor.scaled_accel"
     assert descriptors.named_by_value(descriptor, 0x04, None, real) is None
     assert descriptors.named_by_value(decimation, 0x04, 0x80, real) is None
+
+
+def test_rotations_describe_the_sense_of_their_formulas() -> None:
+    """Notes with formulas are far from the parameter, and not in every form."""
+
+    def sense(p: m.Parameter) -> tuple[str, ...]:
+        found = re.match(r"Rotates vectors of the (\w+) frame into the (\w+) frame; ", p.description)
+        return tuple(name.lower() for name in some(found).groups())
+
+    senses = {}
+    for f in (f for f in REAL.fields if f.role != m.RESPONSE):
+        for p in (p for p in f.parameters if p.name in ("q", "m", "dcm")):
+            for to, inverse, of in re.findall(rf"`[vp]_(\w+) = {p.name}(\^-1)? \* [vp]_(\w+)", " ".join(f.notes)):
+                senses[f.full_name] = sense(p)
+                assert senses[f.full_name] == ((to, of) if inverse else (of, to))
+    assert len(senses) == 6
+    for form in ("dcm", "quaternion"):
+        (*_, other) = some(REAL.field(f"filter.sensor_to_vehicle_rotation_{form}")).parameters
+        assert sense(other) == senses[f"3dm.sensor_to_vehicle_transform_{form}"][::-1]

@@ -1638,8 +1638,8 @@ class SensorToVehicleRotationDcmResponse(Response):
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
-    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Unit: 1.
+    """Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12,
+    m13, m21, m22, m23, m31, m32, m33. Unit: 1.
     """
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
@@ -1674,8 +1674,8 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
-    1.001.
+    """Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
+    Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
     """
 
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
@@ -5780,8 +5780,8 @@ class SensorToVehicleRotationDcm(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     dcm: types.Matrix3f | None
-    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Unit: 1. Required for `write`.
+    """Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12,
+    m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for `write`.
     """
 
     def __init__(
@@ -5871,8 +5871,8 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     q: types.Quatf | None
-    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
-    1.001. Required for `write`.
+    """Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
+    Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for `write`.
     """
 
     def __init__(

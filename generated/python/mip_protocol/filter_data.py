@@ -608,8 +608,7 @@ class AttitudeDcm(Data):
     Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45; likely or
     assumed on 17 more.
 
-    The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
-    v_ned`.
+    `v_vehicle = dcm * v_ned`
 
     - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -625,9 +624,9 @@ class AttitudeDcm(Data):
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
-    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Rotates vectors of the NED frame into the vehicle frame; row-major. Elements: m11, m12, m13,
+    m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32
+    0, m33 1. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -659,8 +658,6 @@ class EulerAngles(Data):
     3DM-GX5-45; likely or assumed on 20 more. Uncertain: The ranges of the angles are inferred; no
     source states them.
 
-    The rotations apply in the order yaw, pitch, roll (3-2-1).
-
     - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
     - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
     """
@@ -674,8 +671,9 @@ class EulerAngles(Data):
     _SIZE = 14
 
     roll: float
-    """Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest
-    and level: 0. Positive: right side down. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad.
+    Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
     """
     pitch: float
     """Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to

@@ -4238,8 +4238,8 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
-    w, x, y, z. Unit: 1.
+    """Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
+    Elements: w, x, y, z. Unit: 1.
     """
 
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
@@ -4275,8 +4275,8 @@ class SensorToVehicleTransformDcmResponse(Response):
     _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
-    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-    1.
+    """Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12,
+    m13, m21, m22, m23, m31, m32, m33. Unit: 1.
     """
 
     def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
@@ -7318,8 +7318,8 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     q: types.Quatf | None
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
-    w, x, y, z. Unit: 1. Required for `write`.
+    """Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
+    Elements: w, x, y, z. Unit: 1. Required for `write`.
     """
 
     def __init__(
@@ -7418,8 +7418,8 @@ class SensorToVehicleTransformDcm(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     dcm: types.Matrix3f | None
-    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-    1. Required for `write`.
+    """Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12,
+    m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for `write`.
     """
 
     def __init__(

@@ -422,10 +422,11 @@ class CompOrientationMatrix(Data):
     _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
-    """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-    m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1.
+    """Rotates vectors of the NED frame into the vehicle frame; row-major. Elements: m11, m12, m13,
+    m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32
+    0, m33 1.
 
-    - On the 3DM-GX5-15: Rotation from the NED frame to the sensor frame.
+    - On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame; row-major.
     """
 
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
@@ -535,8 +536,6 @@ class CompEulerAngles(Data):
     Confirmed on 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15; likely or assumed on 19
     more. Uncertain: The ranges of the angles are inferred; no source states them.
 
-    The rotations are in the order yaw, pitch, roll (3-2-1).
-
     - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
     - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
     """
@@ -550,8 +549,8 @@ class CompEulerAngles(Data):
     _SIZE = 12
 
     roll: float
-    """Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right
-    side down.
+    """Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to
+    pi. At rest and level: 0. Positive: right side down.
     """
     pitch: float
     """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. At rest

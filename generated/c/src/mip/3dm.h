@@ -2516,8 +2516,8 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
-     * w, x, y, z. Unit: 1. Required for write.
+     * Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
+     * Elements: w, x, y, z. Unit: 1. Required for write.
      */
     float q[4];
 };
@@ -2550,8 +2550,8 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_write(
  */
 struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     /**
-     * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
-     * w, x, y, z. Unit: 1.
+     * Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
+     * Elements: w, x, y, z. Unit: 1.
      */
     float q[4];
 };
@@ -2598,8 +2598,8 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1. Required for write.
+     * Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12,
+     * m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
      */
     float dcm[9];
 };
@@ -2632,8 +2632,8 @@ mip_3dm_sensor_to_vehicle_transform_dcm_write(
  */
 struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     /**
-     * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1.
+     * Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12,
+     * m13, m21, m22, m23, m31, m32, m33. Unit: 1.
      */
     float dcm[9];
 };

@@ -1176,7 +1176,7 @@ MIP_CALL_WITH(mip_call_3dm_sensor_to_vehicle_transform_quaternion_with,
 /**
  * Sensor-to-vehicle frame transformation quaternion: write.
  *
- * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+ * - q: Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
  *   Elements: w, x, y, z. Unit: 1. Required for write.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quaternion_write(
@@ -1209,8 +1209,8 @@ MIP_CALL_WITH(mip_call_3dm_sensor_to_vehicle_transform_dcm_with,
 /**
  * Sensor-to-vehicle frame transformation direction cosine matrix: write.
  *
- * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Required for write.
+ * - dcm: Rotates vectors of the sensor frame into the vehicle frame; row-major. Elements: m11, m12,
+ *   m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
  */
 static inline struct mip_result
 mip_call_3dm_sensor_to_vehicle_transform_dcm_write(struct mip_device *device, const float dcm[9]) {

@@ -143,7 +143,9 @@ struct mip_aiding_frame_config {
      * vehicle. Required for write.
      */
     float translation[3];
-    /** Rotation from the frame to the vehicle. Selected by format. Required for write. */
+    /**
+     * Rotates vectors of the frame into the vehicle frame. Selected by format. Required for write.
+     */
     union mip_aiding_frame_config_rotation rotation;
 };
 
@@ -235,7 +237,7 @@ struct mip_aiding_frame_config_response {
      * vehicle.
      */
     float translation[3];
-    /** Rotation from the frame to the vehicle. Selected by format. */
+    /** Rotates vectors of the frame into the vehicle frame. Selected by format. */
     union mip_aiding_frame_config_rotation rotation;
 };
 

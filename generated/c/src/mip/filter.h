@@ -3059,8 +3059,8 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Required for write.
+     * Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12,
+     * m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
      */
     float dcm[9];
 };
@@ -3092,8 +3092,8 @@ mip_filter_sensor_to_vehicle_rotation_dcm_write(
  */
 struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
     /**
-     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1.
+     * Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12,
+     * m13, m21, m22, m23, m31, m32, m33. Unit: 1.
      */
     float dcm[9];
 };
@@ -3137,8 +3137,8 @@ struct mip_filter_sensor_to_vehicle_quaternion {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
-     * 1.001. Required for write.
+     * Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
+     * Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for write.
      */
     float q[4];
 };
@@ -3172,8 +3172,8 @@ mip_filter_sensor_to_vehicle_quaternion_write(
  */
 struct mip_filter_sensor_to_vehicle_quaternion_response {
     /**
-     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
-     * 1.001.
+     * Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
+     * Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
      */
     float q[4];
 };

@@ -1295,8 +1295,8 @@ MIP_CALL_WITH(mip_call_filter_sensor_to_vehicle_rotation_dcm_with,
 /**
  * Sensor to vehicle rotation, matrix: write.
  *
- * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
- *   Unit: 1. Required for write.
+ * - dcm: Rotates vectors of the vehicle frame into the sensor frame; row-major. Elements: m11, m12,
+ *   m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_write(
     struct mip_device *device, const float dcm[9]) {
@@ -1327,8 +1327,8 @@ MIP_CALL_WITH(mip_call_filter_sensor_to_vehicle_quaternion_with,
 /**
  * Sensor to vehicle rotation, quaternion: write.
  *
- * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
- *   1.001. Required for write.
+ * - q: Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
+ *   Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for write.
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {

@@ -542,16 +542,16 @@ MIP_FIELD(mip_filter_data_attitude_quaternion, 0x03);
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
+ * `v_vehicle = dcm * v_ned`
  *
  * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
  * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
  */
 struct mip_filter_data_attitude_dcm {
     /**
-     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Rotates vectors of the NED frame into the vehicle frame; row-major. Elements: m11, m12, m13,
+     * m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0,
+     * m32 0, m33 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float dcm[9];
     /** Validity of the values of a field. */
@@ -569,16 +569,14 @@ MIP_FIELD(mip_filter_data_attitude_dcm, 0x04);
  *
  * Uncertain: The ranges of the angles are inferred; no source states them.
  *
- * The rotations apply in the order yaw, pitch, roll (3-2-1).
- *
  * - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
  * - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
  */
 struct mip_filter_data_euler_angles {
     /**
-     * Rotation about the x axis of the vehicle. Unit: rad. Frame: ned. Range: -pi to pi. At rest
-     * and level: 0. Positive: right side down. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad.
+     * Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float roll;
     /**

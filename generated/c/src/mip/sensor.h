@@ -248,9 +248,10 @@ MIP_FIELD(mip_sensor_delta_velocity, 0x08);
  */
 struct mip_sensor_comp_orientation_matrix {
     /**
-     * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-     * m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On
-     * the 3DM-GX5-15: Rotation from the NED frame to the sensor frame.
+     * Rotates vectors of the NED frame into the vehicle frame; row-major. Elements: m11, m12, m13,
+     * m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0,
+     * m32 0, m33 1. On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame;
+     * row-major.
      */
     float m[9];
 };
@@ -314,15 +315,13 @@ MIP_FIELD(mip_sensor_comp_orientation_update_matrix, 0x0B);
  *
  * Uncertain: The ranges of the angles are inferred; no source states them.
  *
- * The rotations are in the order yaw, pitch, roll (3-2-1).
- *
  * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
 struct mip_sensor_comp_euler_angles {
     /**
-     * Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right
-     * side down.
+     * Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to
+     * pi. At rest and level: 0. Positive: right side down.
      */
     float roll;
     /**

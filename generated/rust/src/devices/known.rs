@@ -8276,7 +8276,7 @@ pub static GX5_15: Profile = Profile {
         Variant {
             parameter: "sensor.comp_orientation_matrix.m",
             read_as: None,
-            difference: "Rotation from the NED frame to the sensor frame",
+            difference: "Rotates vectors of the NED frame into the sensor frame; row-major",
         },
         Variant {
             parameter: "sensor.comp_quaternion.q",

@@ -3332,7 +3332,7 @@ record! {
     pub struct SensorToVehicleRotationDcm {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Rotation matrix in row-major order.
+        /// Rotates vectors of the vehicle frame into the sensor frame; row-major.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -3409,7 +3409,7 @@ record! {
     pub struct SensorToVehicleRotationQuaternion {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Unit quaternion, scalar part first.
+        /// Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
         ///
         /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -5661,7 +5661,7 @@ record! {
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationDcmResponse {
-        /// Rotation matrix in row-major order.
+        /// Rotates vectors of the vehicle frame into the sensor frame; row-major.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
         pub dcm: types::Matrix3f,
@@ -5694,7 +5694,7 @@ record! {
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationQuaternionResponse {
-        /// Unit quaternion, scalar part first.
+        /// Rotates vectors of the sensor frame into the vehicle frame; unit quaternion, w first.
         ///
         /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
         pub q: types::Quatf,

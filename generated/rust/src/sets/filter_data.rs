@@ -603,14 +603,13 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-45](crate::devices::GX5_45); likely or assumed on 17 more.
     ///
-    /// - The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm *
-    ///   v_ned`.
+    /// - `v_vehicle = dcm * v_ned`
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
     /// (0x82, 0x04).
     #[derive(Copy, Default)]
     pub struct AttitudeDcm {
-        /// Rotation matrix in row-major order.
+        /// Rotates vectors of the NED frame into the vehicle frame; row-major.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
         /// level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if
@@ -654,13 +653,11 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45); likely or
     /// assumed on 20 more. Uncertain: The ranges of the angles are inferred; no source states them.
     ///
-    /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
-    ///
     /// Source: 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05); 3dm-gx5-15: 5.2.5 Orientation, Euler
     /// Angles (0x82, 0x05).
     #[derive(Copy, Default)]
     pub struct EulerAngles {
-        /// Rotation about the x axis of the vehicle.
+        /// Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1).
         ///
         /// Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side
         /// down. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.

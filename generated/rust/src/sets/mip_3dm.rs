@@ -2551,7 +2551,7 @@ record! {
     pub struct SensorToVehicleTransformQuaternion {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+        /// Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
         ///
         /// Elements: w, x, y, z. Unit: 1. Required for [write](types::FunctionSelector::WRITE).
         pub q: Option<types::Quatf>,
@@ -2634,7 +2634,7 @@ record! {
     pub struct SensorToVehicleTransformDcm {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// The matrix in row-major order.
+        /// Rotates vectors of the sensor frame into the vehicle frame; row-major.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -7425,7 +7425,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformQuaternionResponse {
-        /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+        /// Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first.
         ///
         /// Elements: w, x, y, z. Unit: 1.
         pub q: types::Quatf,
@@ -7461,7 +7461,7 @@ record! {
     /// (0x0C,0x33).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformDcmResponse {
-        /// The matrix in row-major order.
+        /// Rotates vectors of the sensor frame into the vehicle frame; row-major.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
         pub dcm: types::Matrix3f,

@@ -382,11 +382,11 @@ record! {
     /// Complementary Filter Orientation Matrix (0x80,0x09).
     #[derive(Copy, Default)]
     pub struct CompOrientationMatrix {
-        /// Rotation from the NED frame to the vehicle frame.
+        /// Rotates vectors of the NED frame into the vehicle frame; row-major.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
         /// level: m13 0, m23 0, m31 0, m32 0, m33 1. On the [3DM-GX5-15](crate::devices::GX5_15):
-        /// Rotation from the NED frame to the sensor frame.
+        /// Rotates vectors of the NED frame into the sensor frame; row-major.
         pub m: types::Matrix3f,
     }
 }
@@ -499,13 +499,11 @@ record! {
     /// likely or assumed on 19 more. Uncertain: The ranges of the angles are inferred; no source
     /// states them.
     ///
-    /// - The rotations are in the order yaw, pitch, roll (3-2-1).
-    ///
     /// Source: 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C); 3dm-cv7-gnss-ins: Complementary
     /// Filter Euler Angles (0x80,0x0C).
     #[derive(Copy, Default)]
     pub struct CompEulerAngles {
-        /// Roll angle.
+        /// Roll angle, applied after yaw and pitch (order 3-2-1).
         ///
         /// Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side
         /// down.
