@@ -1093,7 +1093,7 @@ types:
     -kind: bytes
     meta:
       bit-endian: le
-    doc: "Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation."
+    doc: "Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation. Uncertain: The sources list only the numbers and names of the bits; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same."
     seq:
       - id: system_clock_failure
         type: b1
@@ -1230,7 +1230,7 @@ types:
     -kind: bytes
     meta:
       bit-endian: le
-    doc: "Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation, 96-127 GNSS."
+    doc: "Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation, 96-127 GNSS. Uncertain: The sources list only the numbers and names of the bits; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same."
     seq:
       - id: system_clock_failure
         type: b1
@@ -1440,7 +1440,7 @@ types:
         doc: All bits as a number.
   rtk_status_flags:
     -kind: bits
-    doc: "State of the modem and of the corrections. Other models send `rtk_status_flags_legacy`."
+    doc: "State of the modem and of the corrections. Other models send `rtk_status_flags_legacy`. Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not known."
     seq:
       - id: version
         type: b2
@@ -1470,7 +1470,7 @@ types:
         doc: "Quality of the modem's radio signal."
       - id: rssi
         type: b8
-        doc: Received signal strength.
+        doc: "Received signal strength. Uncertain: No source states the unit and the sign; other software of the vendor treats it as negative."
       - id: connection_type
         type: b4
         doc: Kind of cellular connection.
@@ -1483,7 +1483,7 @@ types:
         doc: All bits as a number.
   rtk_status_flags_legacy:
     -kind: bits
-    doc: State of the modem and the corrections, in the older layout.
+    doc: "State of the modem and the corrections, in the older layout. Uncertain: The form depends on the model; see `rtk_status_flags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the last four numbers there. Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not known."
     seq:
       - id: sinr
         type: b2
@@ -1597,7 +1597,7 @@ types:
         doc: All bits as a number.
   mip_3dm_data_conditioning_flags:
     -kind: bits
-    doc: Processing steps of 3-series devices.
+    doc: "Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The sources list only names; the descriptions of the bits are inferred from them."
     seq:
       - id: unused_13
         type: b3
@@ -3036,7 +3036,7 @@ types:
         doc: All bits as a number.
   displacement_data_timestamp_flags:
     -kind: bits
-    doc: Validity of the displacement timestamp.
+    doc: "Validity of the displacement timestamp. Uncertain: The number is possibly no bitfield, because MSCL considers the time valid if it is 1."
     seq:
       - id: unused_1
         type: b7
@@ -3129,19 +3129,19 @@ types:
     seq:
       - id: low_threshold
         type: f8
-        doc: Lower threshold, in the unit of the watched value.
+        doc: Lower threshold, in the unit of the watched value. The SDK calls it the first threshold.
       - id: high_threshold
         type: f8
-        doc: Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded.
+        doc: Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded. The SDK calls it the second threshold.
   event_threshold_interval:
     doc: A threshold inside a repeating interval.
     seq:
       - id: interval_threshold
         type: f8
-        doc: The trigger is active while the remainder is at most this, in the unit of the watched value.
+        doc: The trigger is active while the remainder is at most this, in the unit of the watched value. The SDK calls it the first threshold.
       - id: interval
         type: f8
-        doc: "Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the two swap roles: the trigger is active while the value modulo `interval_threshold` is above this."
+        doc: "Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the two swap roles: the trigger is active while the value modulo `interval_threshold` is above this. The SDK calls it the second threshold."
   event_trigger_threshold:
     doc: A trigger on one value of a data field. The value is converted to double before it is compared.
     seq:
@@ -3183,7 +3183,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: 4
-        doc: Trigger instances for the inputs a to d; 0 is always inactive.
+        doc: Trigger instances for the inputs a to d; 0 is always inactive. An input may be the trigger itself; its value is then the output of the previous event cycle.
   event_action_gpio:
     doc: An action on a GPIO pin, which needs the gpio feature and an output behavior.
     seq:
@@ -3371,31 +3371,31 @@ types:
         doc: "0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)."
   base_ping:
     -orig-id: base.ping
-    doc: Ping. Checks whether a device is present and replies to commands.
+    doc: Ping. Checks whether a device is present and replies to commands. A device that is not in a normal operating mode may reject the command.
   base_set_idle:
     -orig-id: base.set_idle
-    doc: Set to idle. Stops all data streams, and wakes a sleeping device, so that it can be configured.
+    doc: "Set to idle. Stops all data streams, and wakes a sleeping device, so that it can be configured. `base_resume` restores the previous mode. While idle, the device does not send NMEA sentences either."
   base_get_device_info:
     -orig-id: base.get_device_info
     doc: Get device information. Gets the firmware version and the identity strings of the device.
   base_get_device_descriptors:
     -orig-id: base.get_device_descriptors
-    doc: Get device descriptors. Gets the command and data descriptors that the device supports.
+    doc: "Get device descriptors. Gets the command and data descriptors that the device supports. If the list contains the descriptor of `base_get_extended_descriptors`, that command returns further descriptors."
   base_built_in_test:
     -orig-id: base.built_in_test
-    doc: Built-in test. Runs the self test of the device and gets its result.
+    doc: "Built-in test. Runs the self test of the device and gets its result. The test interrupts normal operation for up to several seconds; no data is available meanwhile. The device must be at rest; acceleration, rotation or vibration cause false failures. The continuous built-in test, if the device has it, describes a failure in more detail. Uncertain: The maximum duration of 10 s is assumed; the manual of the 3DM-CV7 states several seconds."
   base_resume:
     -orig-id: base.resume
-    doc: Resume. Ends idle mode and returns the device to the mode that it was in before.
+    doc: Resume. Ends idle mode and returns the device to the mode that it was in before. If the device was not idle, it enters its default mode (3DM-GX5-15).
   base_get_extended_descriptors:
     -orig-id: base.get_extended_descriptors
-    doc: "Get device descriptors (extended). Gets the supported descriptors that did not fit into the reply of `base_get_device_descriptors`."
+    doc: "Get device descriptors (extended). Gets the supported descriptors that did not fit into the reply of `base_get_device_descriptors`. Some devices lack this command; `base_get_device_descriptors` lists it if the device has it."
   base_continuous_built_in_test:
     -orig-id: base.continuous_built_in_test
-    doc: Continuous built-in test. Gets the flags of the tests that run all the time. It does not interrupt operation.
+    doc: "Continuous built-in test. Gets the flags of the tests that run all the time. It does not interrupt operation. It is less thorough than `base_built_in_test`. Each flag stays set until this command reports it; the streamed field has its own copy of the flags. The self-test flags change only when `base_built_in_test` runs."
   base_comm_speed:
     -orig-id: base.comm_speed
-    doc: Comm port speed. Sets the baud rate of one communication port.
+    doc: Comm port speed. Sets the baud rate of one communication port. The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while the device is idle, and wait 250 ms before you continue. Commands and data during the change may be lost, or sent at either rate.
     seq:
       - id: function_value
         -orig-id: function
@@ -3412,7 +3412,7 @@ types:
         doc: "New baud rate; the port must support it. Unit: Bd."
   base_gps_time_update:
     -orig-id: base.gps_time_update
-    doc: GPS time update. Sets the week number or the time of week of the external (GPS) time.
+    doc: "GPS time update. Sets the week number or the time of week of the external (GPS) time. Send it once for the time of week and once for the week number after the PPS is locked. On the 3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example the Unix epoch; `shared_external_timestamp` then has the same epoch. The PPS supplies the fraction of the second; send the whole second that began at its last edge. Send it within 250 ms after the rising edge of the PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once. Send it again after a PPS glitch. It is usually not needed if an internal GNSS receiver is the PPS source."
     seq:
       - id: function_value
         -orig-id: function
@@ -3504,7 +3504,7 @@ types:
         doc: "Baud rate of the port. Unit: Bd."
   mip_3dm_poll_imu_data:
     -orig-id: 3dm.poll_imu_data
-    doc: Poll IMU data. Requests one sensor data packet (0x80) with the listed fields, in the listed order.
+    doc: "Poll IMU data. Requests one sensor data packet (0x80) with the listed fields, in the listed order. An empty list polls the fields that `mip_3dm_imu_message_format` stores; if nothing is stored, the device rejects the command. Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply."
     seq:
       - id: suppress_ack
         type: u1
@@ -3521,7 +3521,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_gnss_data:
     -orig-id: 3dm.poll_gnss_data
-    doc: Poll GNSS data. Requests one GNSS data packet with the listed fields, in the listed order.
+    doc: "Poll GNSS data. Requests one GNSS data packet with the listed fields, in the listed order. An empty list polls the format stored by `mip_3dm_gnss_message_format`; if none is stored, the device rejects the command. Descriptors that the device does not know are omitted. The data is sent in a separate packet after the reply."
     seq:
       - id: suppress_ack
         type: u1
@@ -3535,10 +3535,10 @@ types:
         type: mip_3dm_poll_entry
         repeat: expr
         repeat-expr: num_descriptors
-        doc: Fields to send.
+        doc: "Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does not document how a poll uses it."
   mip_3dm_poll_filter_data:
     -orig-id: 3dm.poll_filter_data
-    doc: Poll estimation filter data. Requests one filter data packet (0x82) with the listed fields, in the listed order.
+    doc: "Poll estimation filter data. Requests one filter data packet (0x82) with the listed fields, in the listed order. An empty list polls the fields that `mip_3dm_filter_message_format` stores; if none are, the device rejects the command. Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply."
     seq:
       - id: suppress_ack
         type: u1
@@ -3555,7 +3555,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_nmea_data:
     -orig-id: 3dm.poll_nmea_data
-    doc: Poll NMEA data. Requests the listed NMEA sentences once.
+    doc: Poll NMEA data. Requests the listed NMEA sentences once. An empty list polls the stored NMEA format; if none is stored, the device rejects the command. The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA is disabled there. A sentence is sent only if its data is valid.
     seq:
       - id: suppress_ack
         type: u1
@@ -3578,7 +3578,7 @@ types:
     doc: "Get GNSS data base rate. Gets the base rate, which is divided by the decimations of `mip_3dm_gnss_message_format`."
   mip_3dm_imu_message_format:
     -orig-id: 3dm.imu_message_format
-    doc: IMU message format. Sets the fields of the sensor data packets (0x80), their order and their decimations.
+    doc: "IMU message format. Sets the fields of the sensor data packets (0x80), their order and their decimations. The decimation is the base rate, as `mip_3dm_get_imu_base_rate` reports it, divided by the desired rate. The list replaces the previous one. If any descriptor is unknown, the device rejects the command and changes nothing."
     seq:
       - id: function_value
         -orig-id: function
@@ -3599,7 +3599,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_gnss_message_format:
     -orig-id: 3dm.gnss_message_format
-    doc: GNSS message format. Sets the fields of the GNSS data packets, their order and their decimations.
+    doc: "GNSS message format. Sets the fields of the GNSS data packets, their order and their decimations. The decimation is the base rate, as `mip_3dm_get_gnss_base_rate` reports it, divided by the desired rate."
     seq:
       - id: function_value
         -orig-id: function
@@ -3620,7 +3620,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_filter_message_format:
     -orig-id: 3dm.filter_message_format
-    doc: Estimation filter message format. Sets the fields of the filter data packets (0x82), their order and their decimations.
+    doc: "Estimation filter message format. Sets the fields of the filter data packets (0x82), their order and their decimations. The decimation is the base rate, as `mip_3dm_get_filter_base_rate` reports it, divided by the desired rate. The list replaces the previous one. If any descriptor is unknown, the device rejects the command and changes nothing."
     seq:
       - id: function_value
         -orig-id: function
@@ -3644,7 +3644,7 @@ types:
     doc: "Get estimation filter data base rate. Gets the base rate, which is divided by the decimations of `mip_3dm_filter_message_format`."
   mip_3dm_nmea_message_format:
     -orig-id: 3dm.nmea_message_format
-    doc: NMEA message format. Sets the NMEA sentences that the device streams.
+    doc: NMEA message format. Sets the NMEA sentences that the device streams. A sentence may be listed several times with different talkers or sources. A sentence is sent only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS rejects the format if a sentence would be sent more than 10 times per second, or, from a GNSS set, more than twice.
     seq:
       - id: function_value
         -orig-id: function
@@ -3665,7 +3665,7 @@ types:
         doc: Sentences to stream.
   mip_3dm_poll_data:
     -orig-id: 3dm.poll_data
-    doc: Poll data. Requests one data packet of the descriptor set with the listed fields, in the listed order.
+    doc: "Poll data. Requests one data packet of the descriptor set with the listed fields, in the listed order. An empty list polls the fields that `mip_3dm_message_format` stores; if nothing is stored, the device rejects the command. Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply, on the port of the command. List shared descriptors (0xD0 and up) before the others."
     seq:
       - id: descriptor_set
         type: u1
@@ -3692,7 +3692,7 @@ types:
         doc: "Data descriptor set. Range: 0x80 to 0xFE."
   mip_3dm_message_format:
     -orig-id: 3dm.message_format
-    doc: Message format. Sets the fields of the data packets of a descriptor set, their order and their decimations.
+    doc: "Message format. Sets the fields of the data packets of a descriptor set, their order and their decimations. The decimation is the base rate, as `mip_3dm_get_base_rate` reports it, divided by the desired rate. List shared descriptors (0xD0 and up) under the set whose packets will contain them, before the others."
     seq:
       - id: function_value
         -orig-id: function
@@ -3728,7 +3728,7 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_data_stream_control:
     -orig-id: 3dm.data_stream_control
-    doc: Data stream control. Switches a data stream on or off.
+    doc: "Data stream control. Switches a data stream on or off. Devices of the generations 3 to 5 identify the stream by a number (`mip_3dm_legacy_data_stream`), other devices by its descriptor set. A newly enabled stream starts with current data, without any from before."
     seq:
       - id: function_value
         -orig-id: function
@@ -3742,10 +3742,10 @@ types:
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: "True if the stream is sent. Default: true."
+        doc: "True if the stream is sent. Default: true. The stream starts with current data. What was measured while it was disabled is not sent."
   mip_3dm_raw_rtcm_2_3_message:
     -orig-id: 3dm.raw_rtcm_2_3_message
-    doc: Raw RTCM 2.3 message. Sends RTCM 2.3 corrections to the GNSS receiver.
+    doc: Raw RTCM 2.3 message. Sends RTCM 2.3 corrections to the GNSS receiver. The receiver uses the RTCM messages 1, 2, 3 and 9. A message may be split at any byte and sent with several of these commands.
     seq:
       - id: data
         type: u1
@@ -3757,7 +3757,7 @@ types:
         value: (_io.size - _io.pos) / 1
   mip_3dm_constellation_settings:
     -orig-id: 3dm.constellation_settings
-    doc: Constellation settings. Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
+    doc: "Constellation settings. Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels. The device rejects entries that reserve more than 32 channels in total. The maximum of an entry must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used together. If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device suitable for safety-of-life use. Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3. Uncertain: The factory default is doubtful: the SDK names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS too."
     seq:
       - id: function_value
         -orig-id: function
@@ -3811,7 +3811,7 @@ types:
         doc: PRN numbers of the SBAS satellites to search for.
   mip_3dm_gnss_assisted_fix:
     -orig-id: 3dm.gnss_assisted_fix
-    doc: GNSS assisted fix. Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
+    doc: "GNSS assisted fix. Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up. The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with `mip_3dm_gnss_time_assistance` right after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures. It slightly increases the power consumption."
     seq:
       - id: function_value
         -orig-id: function
@@ -3829,7 +3829,7 @@ types:
         doc: "Reserved: send 255. On the 3DM-GX5-35: default 255."
   mip_3dm_gnss_time_assistance:
     -orig-id: 3dm.gnss_time_assistance
-    doc: GNSS time assistance. Sends the current GPS time to the GNSS receiver.
+    doc: "GNSS time assistance. Sends the current GPS time to the GNSS receiver. It is needed right after power-up if `mip_3dm_gnss_assisted_fix` was on at power-off."
     seq:
       - id: function_value
         -orig-id: function
@@ -3850,7 +3850,7 @@ types:
         doc: "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
-    doc: PPS source control. Selects the source of the pulse per second (PPS).
+    doc: "PPS source control. Selects the source of the pulse per second (PPS). The pins are configured separately, by `mip_3dm_gpio_config`. The filter needs a valid pulse; `disabled` and `generated` are rarely useful."
     seq:
       - id: function_value
         -orig-id: function
@@ -3872,7 +3872,7 @@ types:
         doc: Triggers or actions.
   mip_3dm_event_control:
     -orig-id: 3dm.event_control
-    doc: Event control. Enables, disables or tests an event trigger.
+    doc: Event control. Enables, disables or tests an event trigger. Triggers are disabled by default and after configuration. A trigger of type none cannot be enabled.
     seq:
       - id: function_value
         -orig-id: function
@@ -3918,7 +3918,7 @@ types:
         doc: Numbers of the actions to report; none for all.
   mip_3dm_event_trigger_config:
     -orig-id: 3dm.event_trigger_config
-    doc: Event trigger configuration. Configures the kind and the condition of an event trigger.
+    doc: "Event trigger configuration. Configures the kind and the condition of an event trigger. The trigger is disabled afterwards; `mip_3dm_event_control` enables it. A GPIO trigger needs its pin configured by `mip_3dm_gpio_config`."
     seq:
       - id: function_value
         -orig-id: function
@@ -3962,7 +3962,7 @@ types:
             if: _parent.type == event_trigger_type::combination
   mip_3dm_event_action_config:
     -orig-id: 3dm.event_action_config
-    doc: Event action configuration. Configures the trigger and the effect of an event action.
+    doc: Event action configuration. Configures the trigger and the effect of an event action. A packet holds one descriptor set; for several sets use several actions with the same trigger. A GPIO action needs its pin configured as an output with the gpio feature. In each event cycle, the device updates all triggers first and then runs each action at most once. The rate of the cycle is the base rate of the system data.
     seq:
       - id: function_value
         -orig-id: function
@@ -4000,7 +4000,7 @@ types:
             if: _parent.type == event_action_type::message
   mip_3dm_device_settings:
     -orig-id: 3dm.device_settings
-    doc: Device start up settings. Saves, loads or resets all settings of the device at once.
+    doc: Device start up settings. Saves, loads or resets all settings of the device at once. A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.
     seq:
       - id: function_value
         -orig-id: function
@@ -4009,7 +4009,7 @@ types:
         doc: Operation on the setting.
   mip_3dm_sensor_to_vehicle_transform_euler:
     -orig-id: 3dm.sensor_to_vehicle_transform_euler
-    doc: Sensor-to-vehicle frame transformation Euler. Sets the mounting of the sensor in the vehicle as Euler angles.
+    doc: "Sensor-to-vehicle frame transformation Euler. Sets the mounting of the sensor in the vehicle as Euler angles. `mip_3dm_sensor_to_vehicle_transform_quaternion` and `mip_3dm_sensor_to_vehicle_transform_dcm` set the same transformation; the value read back may be another form of it. Starting aligned with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` Every change resets the complementary filter, the estimation filter and all low-pass filters. On some older devices the setting is the inverse rotation."
     seq:
       - id: function_value
         -orig-id: function
@@ -4019,18 +4019,18 @@ types:
       - id: roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
+        doc: "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right side down."
       - id: pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
+        doc: "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose up."
       - id: yaw
         type: f4
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
+        doc: "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above."
   mip_3dm_sensor_to_vehicle_transform_quaternion:
     -orig-id: 3dm.sensor_to_vehicle_transform_quaternion
-    doc: Sensor-to-vehicle frame transformation quaternion. Sets the mounting of the sensor in the vehicle as a quaternion.
+    doc: "Sensor-to-vehicle frame transformation quaternion. Sets the mounting of the sensor in the vehicle as a quaternion. `mip_3dm_sensor_to_vehicle_transform_euler` and `mip_3dm_sensor_to_vehicle_transform_dcm` set the same transformation; the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that `filter_sensor_to_vehicle_rotation_quaternion` accepts. Every change resets the complementary filter, the estimation filter and all low-pass filters."
     seq:
       - id: function_value
         -orig-id: function
@@ -4043,7 +4043,7 @@ types:
         doc: "Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm
-    doc: Sensor-to-vehicle frame transformation direction cosine matrix. Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
+    doc: "Sensor-to-vehicle frame transformation direction cosine matrix. Sets the mounting of the sensor in the vehicle as a direction cosine matrix. `mip_3dm_sensor_to_vehicle_transform_euler` and `mip_3dm_sensor_to_vehicle_transform_quaternion` set the same transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that `filter_sensor_to_vehicle_rotation_dcm` accepts. Every change resets the complementary filter, the estimation filter and all low-pass filters."
     seq:
       - id: function_value
         -orig-id: function
@@ -4056,7 +4056,7 @@ types:
         doc: "Rotates vectors of the sensor frame into the vehicle frame; row-major. Unit: 1."
   mip_3dm_gps_dynamics_mode:
     -orig-id: 3dm.gps_dynamics_mode
-    doc: GPS dynamics mode. Sets the dynamics that the GNSS receiver assumes of the vehicle.
+    doc: "GPS dynamics mode. Sets the dynamics that the GNSS receiver assumes of the vehicle. No device is known for certain to support it. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only."
     seq:
       - id: function_value
         -orig-id: function
@@ -4070,7 +4070,7 @@ types:
         doc: Assumed dynamics.
   mip_3dm_imu_signal_conditioning:
     -orig-id: 3dm.imu_signal_conditioning
-    doc: IMU signal conditioning. Configures the filters and the orientation algorithm of 3-series devices.
+    doc: "IMU signal conditioning. Configures the filters and the orientation algorithm of 3-series devices. No device is known for certain to support it. The filters are moving averages; the first zero of their response is at 1000 Hz divided by the width. Uncertain: The ranges, the defaults and some of the flags are those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: MSCL reads the response without `reserved`, so some devices may not send it."
     seq:
       - id: function_value
         -orig-id: function
@@ -4112,7 +4112,7 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_imu_timestamp:
     -orig-id: 3dm.imu_timestamp
-    doc: IMU timestamp. Sets or reads a time counter of the sensor data.
+    doc: "IMU timestamp. Sets or reads a time counter of the sensor data. No device is known for certain to support it. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: A read is assumed to omit `time`, which the device would ignore."
     seq:
       - id: function_value
         -orig-id: function
@@ -4156,14 +4156,14 @@ types:
         doc: "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor."
   mip_3dm_capture_gyro_bias:
     -orig-id: 3dm.capture_gyro_bias
-    doc: Capture gyroscope bias. Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
+    doc: "Capture gyroscope bias. Averages the angular rate of the device at rest and uses the result as the gyroscope bias. The device must be at rest, with as little vibration as possible, for the whole time. The reply arrives after the averaging time. The bias is not saved; to save it, send `mip_3dm_gyro_bias` with save. The 3DM-GX5-15 also initializes its orientation from the samples."
     seq:
       - id: averaging_time_ms
         type: u2
         doc: "Time to average over. Unit: ms. Range: 1000 to 30000."
   mip_3dm_mag_hard_iron_offset:
     -orig-id: 3dm.mag_hard_iron_offset
-    doc: Magnetometer hard iron offset. Sets the offset that corrects the scaled magnetic field for hard iron.
+    doc: "Magnetometer hard iron offset. Sets the offset that corrects the scaled magnetic field for hard iron. The values come from a calibration of the device as it is installed. On some devices, `filter_mag_capture_auto_calibration` captures them from the filter's automatic calibration. The device applies the correction before it sends `sensor_scaled_mag`."
     seq:
       - id: function_value
         -orig-id: function
@@ -4176,7 +4176,7 @@ types:
         doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
-    doc: Magnetometer soft iron matrix. Sets the matrix that corrects the scaled magnetic field for soft iron.
+    doc: "Magnetometer soft iron matrix. Sets the matrix that corrects the scaled magnetic field for soft iron. The values come from a calibration of the device as it is installed. On some devices, `filter_mag_capture_auto_calibration` captures them from the filter's automatic calibration. The device applies the correction before it sends `sensor_scaled_mag`."
     seq:
       - id: function_value
         -orig-id: function
@@ -4202,7 +4202,7 @@ types:
         doc: "True if the compensation is on. Default: true."
   mip_3dm_uart_baud_rate:
     -orig-id: 3dm.uart_baud_rate
-    doc: UART baud rate. Sets the baud rate of the main port.
+    doc: UART baud rate. Sets the baud rate of the main port. The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and data may be lost. Set the device to idle first, send the command in a separate packet, and wait 250 ms afterwards.
     seq:
       - id: function_value
         -orig-id: function
@@ -4215,7 +4215,7 @@ types:
         doc: "New baud rate; the port must support it. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
-    doc: GPIO configuration. Sets the use of a GPIO pin.
+    doc: GPIO configuration. Sets the use of a GPIO pin. Not every pin has every feature. For an output with a feature other than gpio, configure the function that drives it before the pin; otherwise, the level of the pin is undefined in the meantime. For an input, configure the pin before the function that uses it. If only one pin can have a configuration, the last pin configured gets it, and the earlier pin is reset. With NMEA input at most one pin may be a UART input; set it to unused before another one takes over.
     seq:
       - id: function_value
         -orig-id: function
@@ -4241,7 +4241,7 @@ types:
         doc: Electrical options.
   mip_3dm_gpio_state:
     -orig-id: 3dm.gpio_state
-    doc: GPIO state. Sets or reads the state of a GPIO pin.
+    doc: "GPIO state. Sets or reads the state of a GPIO pin. A read returns the level of the pin itself. A write has an effect only on a pin that is configured as an output. An event action of mode `active_high` or `active_low` on the pin overrides the written state. Reading is guaranteed to work only with the gpio feature. `mip_3dm_gpio_config` determines the state at power-up."
     seq:
       - id: function_value
         -orig-id: function
@@ -4273,14 +4273,14 @@ types:
       - id: scaling
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m."
+        doc: "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m. Pulses on line A per turn of the wheel, divided by the circumference of the wheel."
       - id: uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
-    doc: Advanced low-pass filter settings. Configures the low-pass filter of one sensor data quantity.
+    doc: Advanced low-pass filter settings. Configures the low-pass filter of one sensor data quantity. The filter has one pole. By default it is on and its cutoff is half the rate of the message format.
     seq:
       - id: function_value
         -orig-id: function
@@ -4309,7 +4309,7 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_complementary_filter:
     -orig-id: 3dm.complementary_filter
-    doc: Complementary filter configuration. Configures the complementary filter, which computes the attitude independently of the estimation filter.
+    doc: Complementary filter configuration. Configures the complementary filter, which computes the attitude independently of the estimation filter. Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero. The heading follows the magnetometer, if the device has one. The device rejects time constants out of range. The attitude of the estimation filter is better; the 3DM-GX5-15 keeps this filter for compatibility.
     seq:
       - id: function_value
         -orig-id: function
@@ -4334,7 +4334,7 @@ types:
         doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_sensor_range:
     -orig-id: 3dm.sensor_range
-    doc: Sensor range. Sets the measuring range of a sensor.
+    doc: "Sensor range. Sets the measuring range of a sensor. `mip_3dm_get_calibrated_sensor_ranges` lists the settings. The device may reject other settings, or measure incorrectly with them."
     seq:
       - id: function_value
         -orig-id: function
@@ -4360,7 +4360,7 @@ types:
         doc: "Sensor to query; `all` is not allowed. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only `all`, `accel`, `gyro` and `pressure`."
   mip_3dm_low_pass_filter:
     -orig-id: 3dm.low_pass_filter
-    doc: Low-pass anti-aliasing filter. Configures the low-pass filter of a data field.
+    doc: Low-pass anti-aliasing filter. Configures the low-pass filter of a data field. Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are meant.
     seq:
       - id: function_value
         -orig-id: function
@@ -4389,7 +4389,7 @@ types:
         doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz. Range: at least 0."
   mip_3dm_data_stream_format:
     -orig-id: 3dm.data_stream_format
-    doc: Data stream format. Selects MIP data or the raw data of a sensor for a stream.
+    doc: "Data stream format. Selects MIP data or the raw data of a sensor for a stream. No device is known for certain to support it. In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver. Uncertain: A comment in the SDK of 2014 restricts it to the 3DM-GX3-35; no other source lists devices. Uncertain: Functions other than write are assumed not to require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of `format`."
     seq:
       - id: function_value
         -orig-id: function
@@ -4408,7 +4408,7 @@ types:
         doc: Format of a data stream.
   mip_3dm_device_power_state:
     -orig-id: 3dm.device_power_state
-    doc: Device power state. Sets the power state of an internal sensor.
+    doc: "Device power state. Sets the power state of an internal sensor. No device is known for certain to support it. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35; no other source lists devices. Uncertain: The time-out of 5 s is assumed; the SDK of 2014 uses one that is longer than usual. Uncertain: Functions other than write are assumed not to require `state`. The SDK of 2014 sends `device` with every function, and a 0 in place of `state`."
     seq:
       - id: function_value
         -orig-id: function
@@ -4427,7 +4427,7 @@ types:
         doc: Power state of an internal sensor.
   mip_3dm_gps_advanced_settings:
     -orig-id: 3dm.gps_advanced_settings
-    doc: GPS advanced settings. Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
+    doc: "GPS advanced settings. Saves, loads or resets the settings of the GNSS receiver that were made in direct mode. No device is known for certain to support it. In direct mode, your program configures the u-blox receiver with its own protocol; see `system_comm_mode`. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-35; no other source lists devices."
     seq:
       - id: function_value
         -orig-id: function
@@ -4436,7 +4436,7 @@ types:
         doc: Operation on the setting.
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
-    doc: Device status. Gets the state of the device, in basic form or with counters.
+    doc: "Device status. Gets the state of the device, in basic form or with counters. The device expects its own model number, which `base_get_device_info` returns. Device families reply in different layouts. The selector and the length distinguish them."
     seq:
       - id: model_number
         type: u2
@@ -4513,7 +4513,7 @@ types:
         doc: True if the stream is sent.
   mip_3dm_imu_signal_conditioning_response:
     -orig-id: 3dm.imu_signal_conditioning_response
-    doc: "IMU signal conditioning response. "
+    doc: IMU signal conditioning response. No device is known for certain to support it.
     seq:
       - id: orientation_decimation
         type: u2
@@ -4549,7 +4549,7 @@ types:
         doc: "New baud rate; the port must support it. Unit: Bd."
   mip_3dm_data_stream_format_response:
     -orig-id: 3dm.data_stream_format_response
-    doc: "Data stream format response. "
+    doc: Data stream format response. No device is known for certain to support it.
     seq:
       - id: stream
         type: u1
@@ -4561,7 +4561,7 @@ types:
         doc: Format of a data stream.
   mip_3dm_device_power_state_response:
     -orig-id: 3dm.device_power_state_response
-    doc: "Device power state response. "
+    doc: Device power state response. No device is known for certain to support it.
     seq:
       - id: device
         type: u1
@@ -4640,7 +4640,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_device_status_basic_rq1_imu_response:
     -orig-id: 3dm.device_status_basic_rq1_imu_response
-    doc: Basic device status (inertial sensor of the 3DM-RQ1-45). Timer only, in microseconds.
+    doc: "Basic device status (inertial sensor of the 3DM-RQ1-45). Timer only, in microseconds. No device is known for certain to support it. Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the descriptions are inferred from the names."
     seq:
       - id: model_number
         type: u2
@@ -4678,7 +4678,7 @@ types:
         doc: "Time since start-up. Unit: ms."
   mip_3dm_device_status_basic_without_state_response:
     -orig-id: 3dm.device_status_basic_without_state_response
-    doc: Basic device status (without state). Timer only.
+    doc: "Basic device status (without state). Timer only. No device is known for certain to support it. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of another device; MSCL uses the layout with a state for that device."
     seq:
       - id: model_number
         type: u2
@@ -4748,7 +4748,7 @@ types:
         doc: "System timer at the last IMU message. Unit: ms."
   mip_3dm_device_status_diagnostic_gnss_response:
     -orig-id: 3dm.device_status_diagnostic_gnss_response
-    doc: Diagnostic device status (with GNSS). State, timer, and the counters of pulses, streams, port and receiver.
+    doc: "Diagnostic device status (with GNSS). State, timer, and the counters of pulses, streams, port and receiver. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer."
     seq:
       - id: model_number
         type: u2
@@ -4825,7 +4825,7 @@ types:
         doc: "System timer at the last receiver message. Unit: ms."
   mip_3dm_device_status_diagnostic_gq4_45_response:
     -orig-id: 3dm.device_status_diagnostic_gq4_45_response
-    doc: Diagnostic device status (3DM-GQ4-45). The layout with GNSS, plus flags for parts that could not be started.
+    doc: "Diagnostic device status (3DM-GQ4-45). The layout with GNSS, plus flags for parts that could not be started. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer."
     seq:
       - id: model_number
         type: u2
@@ -4911,7 +4911,7 @@ types:
         doc: True if the GNSS receiver could not be started.
   mip_3dm_device_status_diagnostic_rq1_45_response:
     -orig-id: 3dm.device_status_diagnostic_rq1_45_response
-    doc: Diagnostic device status (3DM-RQ1-45). The layout with GNSS, plus the temperature.
+    doc: "Diagnostic device status (3DM-RQ1-45). The layout with GNSS, plus the temperature. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer."
     seq:
       - id: model_number
         type: u2
@@ -4937,7 +4937,7 @@ types:
         doc: True if the receiver starts cold at power-up.
       - id: temperature
         type: f4
-        doc: "Temperature of the board. Unit: degC."
+        doc: "Temperature of the board. Unit: degC. Uncertain: The unit is inferred."
       - id: temperature_last_time
         type: u4
         doc: "System timer at the last temperature measurement. Unit: ms."
@@ -4997,7 +4997,7 @@ types:
         doc: "System timer at the last receiver message. Unit: ms."
   mip_3dm_device_status_diagnostic_gx4_response:
     -orig-id: 3dm.device_status_diagnostic_gx4_response
-    doc: Diagnostic device status (3DM-GX4-15, 3DM-GX4-25). Timer, and counters of pulses, streams, port and USB.
+    doc: "Diagnostic device status (3DM-GX4-15, 3DM-GX4-25). Timer, and counters of pulses, streams, port and USB. No device is known for certain to support it. Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer."
     seq:
       - id: model_number
         type: u2
@@ -5065,7 +5065,7 @@ types:
         doc: "System timer at the last IMU message. Unit: ms."
   mip_3dm_device_status_diagnostic_imu_response:
     -orig-id: 3dm.device_status_diagnostic_imu_response
-    doc: Diagnostic device status (IMU). Timer, available sensors, temperature, and the counters of pulses, stream and port.
+    doc: "Diagnostic device status (IMU). Timer, available sensors, temperature, and the counters of pulses, stream and port. No device is known for certain to support it. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known."
     seq:
       - id: model_number
         type: u2
@@ -5100,7 +5100,7 @@ types:
         doc: Reserved.
       - id: temperature
         type: f4
-        doc: "Temperature of the board. Unit: degC."
+        doc: "Temperature of the board. Unit: degC. Uncertain: The unit is inferred."
       - id: temperature_last_time
         type: u4
         doc: "System timer at the last temperature measurement. Unit: ms."
@@ -5133,7 +5133,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
   mip_3dm_device_status_diagnostic_gx4_imu_response:
     -orig-id: 3dm.device_status_diagnostic_gx4_imu_response
-    doc: Diagnostic device status (inertial sensor of the 3DM-GX4-45). Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
+    doc: "Diagnostic device status (inertial sensor of the 3DM-GX4-45). Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port. No device is known for certain to support it. Uncertain: The SDK of 2014 lists the names of the values and the units of temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges are not known."
     seq:
       - id: model_number
         type: u2
@@ -5168,7 +5168,7 @@ types:
         doc: Largest measurable pressure.
       - id: temperature
         type: f4
-        doc: "Temperature of the board. Unit: degC."
+        doc: "Temperature of the board. Unit: degC. Uncertain: The unit is inferred."
       - id: temperature_last_time
         type: u4
         doc: "System timer at the last temperature measurement. Unit: ms."
@@ -5201,7 +5201,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
   mip_3dm_device_status_diagnostic_rq1_imu_response:
     -orig-id: 3dm.device_status_diagnostic_rq1_imu_response
-    doc: Diagnostic device status (inertial sensor of the 3DM-RQ1-45). Timer, temperature and supply, and the counters of pulses, stream and port.
+    doc: "Diagnostic device status (inertial sensor of the 3DM-RQ1-45). Timer, temperature and supply, and the counters of pulses, stream and port. No device is known for certain to support it. Uncertain: The SDK of 2014 lists the names of the values and the units of temperature and times; the descriptions are inferred from the names."
     seq:
       - id: model_number
         type: u2
@@ -5218,7 +5218,7 @@ types:
         doc: "Time since start-up. Unit: us."
       - id: temperature
         type: f4
-        doc: "Temperature of the board. Unit: degC."
+        doc: "Temperature of the board. Unit: degC. Uncertain: The unit is inferred."
       - id: temperature_last_time
         type: u4
         doc: "System timer at the last temperature measurement. Unit: ms."
@@ -5263,7 +5263,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
   mip_3dm_device_status_basic_gx3_response:
     -orig-id: 3dm.device_status_basic_gx3_response
-    doc: Basic device status (3DM-GX3-35, 3DM-GX3-45). State of the port.
+    doc: "Basic device status (3DM-GX3-35, 3DM-GX3-45). State of the port. No device is known for certain to support it. Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions are inferred from the names."
     seq:
       - id: model_number
         type: u2
@@ -5289,7 +5289,7 @@ types:
         doc: "Baud rate of the port. Unit: Bd."
   mip_3dm_device_status_diagnostic_gx3_response:
     -orig-id: 3dm.device_status_diagnostic_gx3_response
-    doc: Diagnostic device status (3DM-GX3-35, 3DM-GX3-45). State of the port, and the counters of the port, USB, receiver and IMU.
+    doc: "Diagnostic device status (3DM-GX3-35, 3DM-GX3-45). State of the port, and the counters of the port, USB, receiver and IMU. No device is known for certain to support it. Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions are inferred from the names."
     seq:
       - id: model_number
         type: u2
@@ -5390,7 +5390,7 @@ types:
         doc: "IMU messages that arrived late. Unit: 1."
   mip_3dm_gps_dynamics_mode_response:
     -orig-id: 3dm.gps_dynamics_mode_response
-    doc: "GPS dynamics mode response. "
+    doc: GPS dynamics mode response. No device is known for certain to support it.
     seq:
       - id: mode
         type: u1
@@ -5398,7 +5398,7 @@ types:
         doc: Assumed dynamics.
   mip_3dm_imu_timestamp_response:
     -orig-id: 3dm.imu_timestamp_response
-    doc: "IMU timestamp response. "
+    doc: IMU timestamp response. No device is known for certain to support it.
     seq:
       - id: selector
         type: u1
@@ -5536,13 +5536,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
+        doc: "Roll angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: right side down."
       - id: pitch
         type: f4
-        doc: "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
+        doc: "Pitch angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: nose up."
       - id: yaw
         type: f4
-        doc: "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle."
+        doc: "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above."
   mip_3dm_sensor_to_vehicle_transform_quaternion_response:
     -orig-id: 3dm.sensor_to_vehicle_transform_quaternion_response
     doc: "Sensor-to-vehicle frame transformation quaternion response. "
@@ -5713,7 +5713,7 @@ types:
         doc: Operation of the input.
       - id: scaling
         type: f4
-        doc: "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m."
+        doc: "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m. Pulses on line A per turn of the wheel, divided by the circumference of the wheel."
       - id: uncertainty
         type: f4
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
@@ -5767,37 +5767,37 @@ types:
         doc: "Cutoff in use. Unit: Hz. Range: at least 0."
   filter_reset:
     -orig-id: filter.reset
-    doc: Reset navigation filter. Returns the filter to its initialization state.
+    doc: "Reset navigation filter. Returns the filter to its initialization state. If automatic initialization is off, the attitude or heading must be set before the filter runs again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first detected."
   filter_set_initial_attitude:
     -orig-id: filter.set_initial_attitude
-    doc: "Set initial attitude. Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame."
+    doc: "Set initial attitude. Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame. Accepted only in the initialization state."
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down."
       - id: pitch
         type: f4
-        doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
+        doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up."
       - id: heading
         type: f4
-        doc: "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."
   filter_set_initial_heading:
     -orig-id: filter.set_initial_heading
-    doc: Set initial heading. Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
+    doc: "Set initial heading. Sets the initial heading of the filter. Pitch and roll come from the accelerometers. 3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the value of this command is ignored."
     seq:
       - id: heading
         type: f4
-        doc: "Initial heading. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."
   filter_set_initial_attitude_from_imu:
     -orig-id: filter.set_initial_attitude_from_imu
-    doc: "Set initial attitude from IMU. Initializes the filter's attitude from the complementary filter."
+    doc: "Set initial attitude from IMU. Initializes the filter's attitude from the complementary filter. No device is known for certain to support it. Uncertain: The SDK calls it set initial heading from mag, without a layout; the SDK of 2014 has this layout in its example for the 3DM-GX3-45. Uncertain: No source lists the devices that support it."
     seq:
       - id: declination
         type: f4
-        doc: "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it."
   filter_run:
     -orig-id: filter.run
-    doc: Run navigation filter. Starts a filter that is configured to wait for this command.
+    doc: "Run navigation filter. Starts a filter that is configured to wait for this command. The filter waits in its initialization state if `wait_for_run_command` of `filter_initialization_config` is set."
   filter_vehicle_dynamics_mode:
     -orig-id: filter.vehicle_dynamics_mode
     doc: Vehicle dynamics mode. Adapts the filter to the expected motion.
@@ -5814,7 +5814,7 @@ types:
         doc: "Kind of vehicle. On the 3DM-GX3-45: only `portable`, `automotive` and `airborne`."
   filter_sensor_to_vehicle_rotation_euler:
     -orig-id: filter.sensor_to_vehicle_rotation_euler
-    doc: Sensor to vehicle frame transformation. Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
+    doc: "Sensor to vehicle frame transformation. Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series). The 3DM-CV7 uses the inverse instead: `mip_3dm_sensor_to_vehicle_transform_euler`. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle` Uncertain: The text of the manual lacks the formula; it is the inverse of that of `mip_3dm_sensor_to_vehicle_transform_euler`, which the 3DM-CV7 manual states."
     seq:
       - id: function_value
         -orig-id: function
@@ -5824,18 +5824,18 @@ types:
       - id: roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
+        doc: "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right side down."
       - id: pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
+        doc: "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose up."
       - id: yaw
         type: f4
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
+        doc: "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above."
   filter_sensor_to_vehicle_offset:
     -orig-id: filter.sensor_to_vehicle_offset
-    doc: Sensor to vehicle offset. Sets the origin of the vehicle frame relative to the sensor.
+    doc: "Sensor to vehicle offset. Sets the origin of the vehicle frame relative to the sensor. The shift is constant. It does not follow the attitude, as a lever arm would. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred from the name."
     seq:
       - id: function_value
         -orig-id: function
@@ -5848,7 +5848,7 @@ types:
         doc: "Vector from the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
   filter_antenna_offset:
     -orig-id: filter.antenna_offset
-    doc: GNSS antenna offset. Sets the position of the GNSS antenna relative to the origin of the sensor.
+    doc: "GNSS antenna offset. Sets the position of the GNSS antenna relative to the origin of the sensor. 5-series devices expect the sensor frame. On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands uses `aiding_frame_config`."
     seq:
       - id: function_value
         -orig-id: function
@@ -5874,7 +5874,7 @@ types:
         doc: "States to estimate. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only `gyro_bias`. On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only `gyro_bias`, `auto_hard_iron` and `auto_soft_iron`. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `gyro_bias`, `accel_bias`, `gyro_scale_factor`, `accel_scale_factor` and `antenna_offset`."
   filter_gnss_source:
     -orig-id: filter.gnss_source
-    doc: GNSS aiding source. Selects the GNSS receiver that aids the filter.
+    doc: GNSS aiding source. Selects the GNSS receiver that aids the filter. A change while the filter is running may return it to initialization until the new source provides data.
     seq:
       - id: function_value
         -orig-id: function
@@ -5888,7 +5888,7 @@ types:
         doc: "Source of the GNSS data. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `external`. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `all_internal`, `external` and `internal_1`. On the 3DM-GX5-45: only `all_internal` and `external`."
   filter_external_gnss_update:
     -orig-id: filter.external_gnss_update
-    doc: External GNSS update. Sends one position and velocity measurement from your own GNSS receiver to the filter.
+    doc: "External GNSS update. Sends one position and velocity measurement from your own GNSS receiver to the filter. The device rejects this command unless `filter_gnss_source` selects the external source. The maximum rate depends on the device."
     seq:
       - id: tow
         type: f8
@@ -5898,10 +5898,10 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: latitude
         type: f8
-        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."
       - id: longitude
         type: f8
-        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
@@ -5916,11 +5916,11 @@ types:
         doc: "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0."
   filter_external_heading_update:
     -orig-id: filter.external_heading_update
-    doc: External heading update. Sends one measurement of the heading of the sensor frame in the NED frame to the filter.
+    doc: "External heading update. Sends one measurement of the heading of the sensor frame in the NED frame to the filter. The device rejects this command unless external heading updates are enabled, by `filter_heading_source` on the 3DM-GX5 and by `filter_aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination source is not valid, -25 models reject true headings and -45 models magnetic ones."
     seq:
       - id: heading
         type: f4
-        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0."
@@ -5944,7 +5944,7 @@ types:
         doc: "Source of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `none_value` and `external`. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only `none_value`, `mag` and `external`. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `none_value`, `mag`, `gnss_velocity` and `external`. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `none_value`, `gnss_velocity` and `external`."
   filter_auto_initialization_control:
     -orig-id: filter.auto_initialization_control
-    doc: Automatic initialization. Sets whether the filter initializes automatically at power-up.
+    doc: Automatic initialization. Sets whether the filter initializes automatically at power-up. Automatic initialization needs a valid heading source.
     seq:
       - id: function_value
         -orig-id: function
@@ -5957,7 +5957,7 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_accel_noise:
     -orig-id: filter.accel_noise
-    doc: Accelerometer noise. Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
+    doc: Accelerometer noise. Sets the standard deviation of the accelerometer noise that the filter assumes (process noise). The factory values suit most laboratory conditions.
     seq:
       - id: function_value
         -orig-id: function
@@ -5970,7 +5970,7 @@ types:
         doc: "Standard deviation per axis. Unit: m/s^2. Range: greater than 0."
   filter_gyro_noise:
     -orig-id: filter.gyro_noise
-    doc: Gyroscope noise. Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
+    doc: Gyroscope noise. Sets the standard deviation of the gyroscope noise that the filter assumes (process noise). The factory values suit most laboratory conditions.
     seq:
       - id: function_value
         -orig-id: function
@@ -6017,7 +6017,7 @@ types:
         doc: "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0."
   filter_auto_zupt:
     -orig-id: filter.auto_zupt
-    doc: Automatic zero velocity update. Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
+    doc: Automatic zero velocity update. Sets whether the filter assumes that the device is at rest while its GNSS speed is low. The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
     seq:
       - id: function_value
         -orig-id: function
@@ -6034,7 +6034,7 @@ types:
         doc: "Highest speed that is treated as zero. Unit: m/s. Range: at least 0."
   filter_external_heading_update_with_time:
     -orig-id: filter.external_heading_update_with_time
-    doc: External heading update with time. Sends one measurement of the heading of the sensor frame with its GPS time to the filter.
+    doc: "External heading update with time. Sends one measurement of the heading of the sensor frame with its GPS time to the filter. It is better than `filter_external_heading_update` if the heading changes quickly; the time must be accurate. The device rejects this command unless external heading updates are enabled, by `filter_heading_source` on the 3DM-GX5 and by `filter_aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination source is not valid, -25 models reject true headings and -45 models magnetic ones."
     seq:
       - id: tow
         type: f8
@@ -6044,7 +6044,7 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: heading
         type: f4
-        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0."
@@ -6054,7 +6054,7 @@ types:
         doc: North that the heading refers to.
   filter_auto_angular_zupt:
     -orig-id: filter.auto_angular_zupt
-    doc: Zero angular rate update. Sets whether the filter assumes that the device is not rotating while its angular rate is low.
+    doc: Zero angular rate update. Sets whether the filter assumes that the device is not rotating while its angular rate is low. The update applies while the magnitude of the angular rate vector is at or below the threshold.
     seq:
       - id: function_value
         -orig-id: function
@@ -6071,7 +6071,7 @@ types:
         doc: "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0."
   filter_tare_orientation:
     -orig-id: filter.tare_orientation
-    doc: Tare orientation. Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+    doc: Tare orientation. Makes the present orientation in the NED frame the sensor-to-vehicle transformation. The device rejects this command while the filter has no valid attitude.
     seq:
       - id: function_value
         -orig-id: function
@@ -6084,10 +6084,10 @@ types:
         doc: Axes to tare; 0 resets all axes.
   filter_commanded_zupt:
     -orig-id: filter.commanded_zupt
-    doc: Commanded zero velocity update. Informs the filter once that the device is at rest.
+    doc: Commanded zero velocity update. Informs the filter once that the device is at rest. The maximum rate depends on the device.
   filter_commanded_angular_zupt:
     -orig-id: filter.commanded_angular_zupt
-    doc: Commanded zero angular rate update. Informs the filter once that the device is not rotating.
+    doc: Commanded zero angular rate update. Informs the filter once that the device is not rotating. At most 10 per second.
   filter_reference_position:
     -orig-id: filter.reference_position
     doc: Set reference position. Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
@@ -6104,18 +6104,18 @@ types:
       - id: latitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."
       - id: longitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."
       - id: altitude
         type: f8
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Altitude of the reference position. Unit: m."
+        doc: "Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts altitudes from sea level."
   filter_mag_capture_auto_calibration:
     -orig-id: filter.mag_capture_auto_calibration
-    doc: Capture automatic magnetometer calibration. Moves the result of the automatic magnetometer calibration into the fixed calibration.
+    doc: "Capture automatic magnetometer calibration. Moves the result of the automatic magnetometer calibration into the fixed calibration. A write combines the automatic calibration with `mip_3dm_mag_hard_iron_offset` and `mip_3dm_mag_soft_iron_matrix`, then resets the automatic calibration. A save has the same effect as saving both of these settings."
     seq:
       - id: function_value
         -orig-id: function
@@ -6124,7 +6124,7 @@ types:
         doc: Operation on the setting.
   filter_gravity_noise:
     -orig-id: filter.gravity_noise
-    doc: Gravity noise. Sets the standard deviation of the gravity noise that the filter assumes (process noise).
+    doc: Gravity noise. Sets the standard deviation of the gravity noise that the filter assumes (process noise). The factory values suit most laboratory conditions.
     seq:
       - id: function_value
         -orig-id: function
@@ -6137,7 +6137,7 @@ types:
         doc: "Standard deviation per axis. Unit: g. Range: greater than 0."
   filter_pressure_altitude_noise:
     -orig-id: filter.pressure_altitude_noise
-    doc: Pressure altitude noise. Sets the standard deviation of the pressure altitude noise that the filter assumes.
+    doc: Pressure altitude noise. Sets the standard deviation of the pressure altitude noise that the filter assumes. With a small value, the altitude follows the pressure faster, but weather and draughts appear as changes of height.
     seq:
       - id: function_value
         -orig-id: function
@@ -6189,7 +6189,7 @@ types:
         doc: "Measurements to use. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only `accel`."
   filter_mag_noise:
     -orig-id: filter.mag_noise
-    doc: Magnetometer noise. Sets the standard deviation of the magnetometer noise that the filter assumes.
+    doc: "Magnetometer noise. Sets the standard deviation of the magnetometer noise that the filter assumes. Uncertain: The SDK calls it process noise, although the noise is that of a measurement."
     seq:
       - id: function_value
         -orig-id: function
@@ -6202,7 +6202,7 @@ types:
         doc: "Standard deviation per axis. Unit: gauss. Range: greater than 0."
   filter_magnetic_declination_source:
     -orig-id: filter.magnetic_declination_source
-    doc: Magnetic declination source. Selects the source of the local declination of the magnetic field.
+    doc: Magnetic declination source. Selects the source of the local declination of the magnetic field. Without a good declination source, keep automatic magnetometer calibration off.
     seq:
       - id: function_value
         -orig-id: function
@@ -6217,10 +6217,10 @@ types:
       - id: declination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included, require it only if `source` is manual, but state one length, with the value. Always send it."
   filter_accel_magnitude_error_adaptive_measurement:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement
-    doc: Gravity magnitude error adaptive measurement. Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
+    doc: "Gravity magnitude error adaptive measurement. Sets how far the filter trusts gravity measurements whose magnitude is not as expected. Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values if they are omitted. The low-pass filter and the limits take effect only with `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the heading."
     seq:
       - id: function_value
         -orig-id: function
@@ -6258,7 +6258,7 @@ types:
         doc: "Smallest standard deviation. Unit: m/s^2. Range: at least 0."
   filter_mag_magnitude_error_adaptive_measurement:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement
-    doc: Magnetometer magnitude error adaptive measurement. Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
+    doc: "Magnetometer magnitude error adaptive measurement. Sets how far the filter trusts a magnetic field whose magnitude is not as expected. The limits and the low-pass filter take effect only with `fixed`; with `auto` the device determines the limits. High limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the heading. Uncertain: The parameters after the selector can possibly be omitted on write, like those of `filter_accel_magnitude_error_adaptive_measurement`."
     seq:
       - id: function_value
         -orig-id: function
@@ -6277,26 +6277,26 @@ types:
       - id: low_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Lower limit of the magnetic field magnitude error. Unit: gauss."
+        doc: "Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Upper limit of the magnetic field magnitude error. Unit: gauss."
+        doc: "Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: low_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
+        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 22
-        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0."
+        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: minimum_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 26
-        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
+        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
   filter_mag_dip_angle_error_adaptive_measurement:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement
-    doc: Magnetometer dip angle error adaptive measurement. Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
+    doc: "Magnetometer dip angle error adaptive measurement. Sets how far the filter trusts a magnetic field whose dip angle is not as expected. It has no effect while `filter_accel_magnitude_error_adaptive_measurement` or `filter_mag_magnitude_error_adaptive_measurement` is set to `auto`. High limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the heading."
     seq:
       - id: function_value
         -orig-id: function
@@ -6314,18 +6314,18 @@ types:
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Upper limit of the dip angle error. Unit: rad. Range: at least 0."
+        doc: "Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2."
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
+        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2."
       - id: minimum_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
-        doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
+        doc: "Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2."
   filter_altitude_aiding:
     -orig-id: filter.altitude_aiding
-    doc: Altitude aiding. Selects the source that aids the altitude in addition to GNSS.
+    doc: Altitude aiding. Selects the source that aids the altitude in addition to GNSS. GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and location shift the pressure altitude, sometimes by more than 40 m.
     seq:
       - id: function_value
         -orig-id: function
@@ -6353,7 +6353,7 @@ types:
         doc: Source of the aiding.
   filter_magnetic_inclination_source:
     -orig-id: filter.magnetic_inclination_source
-    doc: Magnetic inclination source. Selects the source of the local inclination (dip angle) of the magnetic field.
+    doc: Magnetic inclination source. Selects the source of the local inclination (dip angle) of the magnetic field. Without a good inclination source, keep automatic magnetometer calibration off.
     seq:
       - id: function_value
         -orig-id: function
@@ -6368,10 +6368,10 @@ types:
       - id: inclination
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
+        doc: "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Uncertain: The sign is the usual one; no source states it. Uncertain: It can possibly be omitted if `source` is not manual, as with `filter_magnetic_declination_source`. The SDK always sends it."
   filter_magnetic_magnitude_source:
     -orig-id: filter.magnetic_magnitude_source
-    doc: Magnetic field magnitude source. Selects the source of the local magnitude of the magnetic field.
+    doc: "Magnetic field magnitude source. Selects the source of the local magnitude of the magnetic field. Without a good magnitude source, keep automatic magnetometer calibration off. `filter_mag_magnitude_error_adaptive_measurement` relies on it too."
     seq:
       - id: function_value
         -orig-id: function
@@ -6386,10 +6386,10 @@ types:
       - id: magnitude
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0."
+        doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can possibly be omitted if `source` is not manual, as with `filter_magnetic_declination_source`. The SDK always sends it."
   filter_sensor_to_vehicle_rotation_dcm:
     -orig-id: filter.sensor_to_vehicle_rotation_dcm
-    doc: Sensor to vehicle rotation, matrix. Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+    doc: "Sensor to vehicle rotation, matrix. Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix. It is the inverse of the matrix that `mip_3dm_sensor_to_vehicle_transform_dcm` accepts. The device rejects a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the elements read back may differ slightly from those written."
     seq:
       - id: function_value
         -orig-id: function
@@ -6402,7 +6402,7 @@ types:
         doc: "Rotates vectors of the vehicle frame into the sensor frame; row-major. Unit: 1."
   filter_sensor_to_vehicle_rotation_quaternion:
     -orig-id: filter.sensor_to_vehicle_rotation_quaternion
-    doc: Sensor to vehicle rotation, quaternion. Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
+    doc: "Sensor to vehicle rotation, quaternion. Sets the rotation from the sensor frame to the vehicle frame as a quaternion. It is the inverse of the quaternion that `mip_3dm_sensor_to_vehicle_transform_quaternion` accepts. The device normalizes it, so the elements read back may differ slightly from those written."
     seq:
       - id: function_value
         -orig-id: function
@@ -6433,7 +6433,7 @@ types:
         doc: True if the filter uses the source.
   filter_kinematic_constraint:
     -orig-id: filter.kinematic_constraint
-    doc: Kinematic constraint. Sets the assumptions about the motion that the filter uses in place of measurements.
+    doc: "Kinematic constraint. Sets the assumptions about the motion that the filter uses in place of measurements. Uncertain: There may be further values, because the SDK uses plain numbers and lists values in comments only."
     seq:
       - id: function_value
         -orig-id: function
@@ -6457,7 +6457,7 @@ types:
         doc: "Assumption about the angular rate. Default: `none_value`."
   filter_initialization_config:
     -orig-id: filter.initialization_config
-    doc: Navigation filter initialization. Sets the sources and values of the initial attitude, position and velocity of the filter.
+    doc: "Navigation filter initialization. Sets the sources and values of the initial attitude, position and velocity of the filter. The initial angles are in degrees, unlike those of `filter_set_initial_attitude`, which are in radians. Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds."
     seq:
       - id: function_value
         -orig-id: function
@@ -6480,15 +6480,15 @@ types:
       - id: initial_heading
         type: f4
         if: function_value == function_selector::write or _io.size >= 8
-        doc: "Initial heading relative to true north. Unit: deg. Frame: ned."
+        doc: "Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above."
       - id: initial_pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 12
-        doc: "Initial pitch angle. Unit: deg. Frame: ned."
+        doc: "Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up."
       - id: initial_roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 16
-        doc: "Initial roll angle. Unit: deg. Frame: ned."
+        doc: "Initial roll angle. Unit: deg. Frame: ned. Positive: right side down."
       - id: initial_position
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 28
@@ -6562,7 +6562,7 @@ types:
         doc: "Reference point. If `reference_frame_selector` is `ecef`: unit m; frame ecef. If `reference_frame_selector` is `llh`: elements latitude, longitude, height; unit deg, deg, m; frame llh."
   filter_reference_point_lever_arm:
     -orig-id: filter.reference_point_lever_arm
-    doc: Reference point lever arm. Moves the point to which the position and the velocity of the filter refer.
+    doc: Reference point lever arm. Moves the point to which the position and the velocity of the filter refer. The shift in position depends on the attitude; the shift in velocity also depends on the angular rate.
     seq:
       - id: function_value
         -orig-id: function
@@ -6580,23 +6580,23 @@ types:
         doc: "Lever arm from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_measurement:
     -orig-id: filter.speed_measurement
-    doc: Speed measurement. Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
+    doc: "Speed measurement. Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter. Do not use it together with the device's odometer. Single precision resolves the time of week to 0.0625 s at the end of the week. Uncertain: The SDK names a response, `filter.speed_measurement_response`, but has no layout of it."
     seq:
       - id: source
         type: u1
         doc: "Send 1. Reserved: send 1."
       - id: tow
         type: f4
-        doc: "GPS time of week of the measurement. Unit: s. Range: 0 to 604800."
+        doc: "GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit is inferred; the SDK states none."
       - id: speed
         type: f4
-        doc: "Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle."
+        doc: "Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward."
       - id: speed_uncertainty
         type: f4
         doc: "Standard deviation of the speed. Unit: m/s. Range: at least 0."
   filter_speed_lever_arm:
     -orig-id: filter.speed_lever_arm
-    doc: Speed measurement lever arm. Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.
+    doc: Speed measurement lever arm. Sets the position of the point whose speed is measured, such as the wheel that drives the odometer. It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
     seq:
       - id: function_value
         -orig-id: function
@@ -6613,7 +6613,7 @@ types:
         doc: "Lever arm from the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control:
     -orig-id: filter.vertical_gyro_constraint_control
-    doc: Vertical gyro constraint. Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
+    doc: Vertical gyro constraint. Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS. It assumes that the linear acceleration is zero.
     seq:
       - id: function_value
         -orig-id: function
@@ -6626,7 +6626,7 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_wheeled_vehicle_constraint_control:
     -orig-id: filter.wheeled_vehicle_constraint_control
-    doc: Wheeled vehicle constraint. Sets whether the filter assumes that the vehicle moves only along its x axis.
+    doc: Wheeled vehicle constraint. Sets whether the filter assumes that the vehicle moves only along its x axis. It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not use it for vehicles that move sideways, such as aircraft.
     seq:
       - id: function_value
         -orig-id: function
@@ -6668,13 +6668,13 @@ types:
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
+        doc: "Roll angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: right side down."
       - id: pitch
         type: f4
-        doc: "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
+        doc: "Pitch angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: nose up."
       - id: yaw
         type: f4
-        doc: "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor."
+        doc: "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above."
   filter_sensor_to_vehicle_offset_response:
     -orig-id: filter.sensor_to_vehicle_offset_response
     doc: "Sensor to vehicle offset response. "
@@ -6782,13 +6782,13 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: latitude
         type: f8
-        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north."
       - id: longitude
         type: f8
-        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."
       - id: altitude
         type: f8
-        doc: "Altitude of the reference position. Unit: m."
+        doc: "Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts altitudes from sea level."
   filter_gravity_noise_response:
     -orig-id: filter.gravity_noise_response
     doc: "Gravity noise response. "
@@ -6819,7 +6819,7 @@ types:
         doc: "Standard deviation per element. Unit: 1. Range: greater than 0."
   filter_tare_orientation_response:
     -orig-id: filter.tare_orientation_response
-    doc: "Tare orientation response. "
+    doc: "Tare orientation response. Uncertain: The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response."
     seq:
       - id: axes
         type: filter_tare_axes
@@ -6848,7 +6848,7 @@ types:
         doc: Source of the declination.
       - id: declination
         type: f4
-        doc: "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included, require it only if `source` is manual, but state one length, with the value. Always send it."
   filter_accel_magnitude_error_adaptive_measurement_response:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement_response
     doc: "Gravity magnitude error adaptive measurement response. "
@@ -6888,19 +6888,19 @@ types:
         doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
-        doc: "Lower limit of the magnetic field magnitude error. Unit: gauss."
+        doc: "Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: high_limit
         type: f4
-        doc: "Upper limit of the magnetic field magnitude error. Unit: gauss."
+        doc: "Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: low_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
+        doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0."
+        doc: "Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0."
+        doc: "Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response."
   filter_mag_dip_angle_error_adaptive_measurement_response:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement_response
     doc: "Magnetometer dip angle error adaptive measurement response. "
@@ -6913,13 +6913,13 @@ types:
         doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
-        doc: "Upper limit of the dip angle error. Unit: rad. Range: at least 0."
+        doc: "Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2."
       - id: high_limit_uncertainty
         type: f4
-        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
+        doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2."
       - id: minimum_uncertainty
         type: f4
-        doc: "Smallest standard deviation. Unit: rad. Range: at least 0."
+        doc: "Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2."
   filter_altitude_aiding_response:
     -orig-id: filter.altitude_aiding_response
     doc: "Altitude aiding response. "
@@ -6946,7 +6946,7 @@ types:
         doc: Source of the inclination.
       - id: inclination
         type: f4
-        doc: "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
+        doc: "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Uncertain: The sign is the usual one; no source states it. Uncertain: It can possibly be omitted if `source` is not manual, as with `filter_magnetic_declination_source`. The SDK always sends it."
   filter_magnetic_magnitude_source_response:
     -orig-id: filter.magnetic_magnitude_source_response
     doc: "Magnetic field magnitude source response. "
@@ -6957,7 +6957,7 @@ types:
         doc: Source of the magnitude.
       - id: magnitude
         type: f4
-        doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0."
+        doc: "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can possibly be omitted if `source` is not manual, as with `filter_magnetic_declination_source`. The SDK always sends it."
   filter_sensor_to_vehicle_rotation_dcm_response:
     -orig-id: filter.sensor_to_vehicle_rotation_dcm_response
     doc: "Sensor to vehicle rotation, matrix response. "
@@ -7015,13 +7015,13 @@ types:
         doc: Methods that may be used to determine the initial heading.
       - id: initial_heading
         type: f4
-        doc: "Initial heading relative to true north. Unit: deg. Frame: ned."
+        doc: "Initial heading relative to true north. Unit: deg. Frame: ned. Positive: clockwise seen from above."
       - id: initial_pitch
         type: f4
-        doc: "Initial pitch angle. Unit: deg. Frame: ned."
+        doc: "Initial pitch angle. Unit: deg. Frame: ned. Positive: nose up."
       - id: initial_roll
         type: f4
-        doc: "Initial roll angle. Unit: deg. Frame: ned."
+        doc: "Initial roll angle. Unit: deg. Frame: ned. Positive: right side down."
       - id: initial_position
         type: vector3f
         doc: "Initial position that your program provides. If `reference_frame_selector` is `ecef`: unit m; frame ecef. If `reference_frame_selector` is `llh`: elements latitude, longitude, height; unit deg, deg, m; frame llh."
@@ -7118,7 +7118,7 @@ types:
     doc: Receiver info. Gets the GNSS receivers of the device.
   gnss_signal_config:
     -orig-id: gnss.signal_config
-    doc: Signal configuration. Selects the GNSS signals that the device uses.
+    doc: Signal configuration. Selects the GNSS signals that the device uses. A device accepts only certain combinations. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
     seq:
       - id: function_value
         -orig-id: function
@@ -7149,7 +7149,7 @@ types:
         doc: "Reserved: send 0."
   gnss_receiver_reset:
     -orig-id: gnss.receiver_reset
-    doc: Receiver reset. Resets a GNSS receiver of the device.
+    doc: "Receiver reset. Resets a GNSS receiver of the device. Only internal receivers can be reset. Some devices do not support all reset types. Uncertain: The SDK names no device that supports it."
     seq:
       - id: receiver_id
         type: u1
@@ -7161,7 +7161,7 @@ types:
         doc: Extent of the restart.
   gnss_rtk_config:
     -orig-id: gnss.rtk_config
-    doc: RTK configuration. Sets how readily the device fixes the ambiguities of an RTK solution.
+    doc: "RTK configuration. Sets how readily the device fixes the ambiguities of an RTK solution. The available modes differ by device. Uncertain: No source lists the devices that support it. Users of the vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative` only."
     seq:
       - id: function_value
         -orig-id: function
@@ -7181,7 +7181,7 @@ types:
         doc: "Reserved: send 0."
   gnss_rtk_dongle_config:
     -orig-id: gnss.rtk_dongle_config
-    doc: RTK dongle configuration. Switches the communication with a connected RTK dongle on or off.
+    doc: RTK dongle configuration. Switches the communication with a connected RTK dongle on or off. No device is known for certain to support it.
     seq:
       - id: function_value
         -orig-id: function
@@ -7197,10 +7197,10 @@ types:
         repeat: expr
         repeat-expr: 3
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Reserved: send 0."
+        doc: "Reserved: send 0. Uncertain: No source states what to send; 0 is assumed."
   gnss_spartn_config:
     -orig-id: gnss.spartn_config
-    doc: SPARTN configuration. Sets the source and the keys of SPARTN corrections.
+    doc: "SPARTN configuration. Sets the source and the keys of SPARTN corrections. A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key has 16 bytes, none of them 0. Send it as 32 hexadecimal digits in ASCII, two for each byte. Uncertain: The device may not accept lower case: the section on UART uses the digits 0-9 and A-F, the description of the command uses \"bc\" for 0xBC."
     seq:
       - id: function_value
         -orig-id: function
@@ -7246,7 +7246,7 @@ types:
         doc: Next key in ASCII digits.
   gnss_receiver_safe_mode:
     -orig-id: gnss.receiver_safe_mode
-    doc: Receiver safe mode. Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.
+    doc: "Receiver safe mode. Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data. Uncertain: The layout is that of version 1.0.0 of the SDK; later versions do not have it. Uncertain: No source lists the devices that support it."
     seq:
       - id: receiver_id
         type: u1
@@ -7304,7 +7304,7 @@ types:
         doc: Reserved.
   gnss_rtk_dongle_config_response:
     -orig-id: gnss.rtk_dongle_config_response
-    doc: "RTK dongle configuration response. "
+    doc: RTK dongle configuration response. No device is known for certain to support it.
     seq:
       - id: enable
         type: u1
@@ -7313,7 +7313,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: 3
-        doc: Reserved.
+        doc: "Reserved. Uncertain: No source states what to send; 0 is assumed."
   gnss_spartn_config_response:
     -orig-id: gnss.spartn_config_response
     doc: "SPARTN configuration response. "
@@ -7349,7 +7349,7 @@ types:
         doc: Next key in ASCII digits.
   rtk_get_status_flags:
     -orig-id: rtk.get_status_flags
-    doc: Get status flags. Gets the state of the modem and of the corrections.
+    doc: "Get status flags. Gets the state of the modem and of the corrections. No device is known for certain to support it. The status word in the response has two forms, `rtk_status_flags` and `rtk_status_flags_legacy`."
   rtk_get_imei:
     -orig-id: rtk.get_imei
     doc: Get IMEI. Gets the identity of the modem.
@@ -7378,23 +7378,23 @@ types:
         doc: Type of device that the modem is connected to.
   rtk_get_activation_code:
     -orig-id: rtk.get_activation_code
-    doc: Get activation code. Reads the code that activates the modem for its service.
+    doc: Get activation code. Reads the code that activates the modem for its service. No device is known for certain to support it.
   rtk_get_modem_firmware_version:
     -orig-id: rtk.get_modem_firmware_version
     doc: Get modem firmware version. Gets the firmware version of the cellular modem.
   rtk_service_status:
     -orig-id: rtk.service_status
-    doc: Service status. Queries a correction server about the connection, which also keeps it open.
+    doc: Service status. Queries a correction server about the connection, which also keeps it open. The modem acts as the host and the server as the device.
     seq:
       - id: reserved1
         type: u4
-        doc: "Reserved: send 0."
+        doc: "Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed."
       - id: reserved2
         type: u4
-        doc: "Reserved: send 0."
+        doc: "Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed."
   rtk_erase_storage:
     -orig-id: rtk.erase_storage
-    doc: Erase storage. Returns a storage medium to its raw state. Everything on it is erased.
+    doc: Erase storage. Returns a storage medium to its raw state. Everything on it is erased. All stored data is lost. The command is for production. Accepted in calibration mode only.
     seq:
       - id: media
         type: u1
@@ -7402,31 +7402,31 @@ types:
         doc: The medium.
   rtk_led_control:
     -orig-id: rtk.led_control
-    doc: LED control. Sets the colours and the pattern of the LED.
+    doc: LED control. Sets the colours and the pattern of the LED. Accepted in calibration mode and production test mode only.
     seq:
       - id: primary_color
         type: u1
         repeat: expr
         repeat-expr: 3
-        doc: First colour.
+        doc: "First colour. Uncertain: No source states the order of its parts; red, green, blue is likely."
       - id: alternate_color
         type: u1
         repeat: expr
         repeat-expr: 3
-        doc: Second colour.
+        doc: "Second colour. Uncertain: No source states the order of its parts; red, green, blue is likely."
       - id: action
         type: u1
         enum: rtk_led_action
         doc: Pattern.
       - id: period
         type: u4
-        doc: Period of the pattern.
+        doc: "Period of the pattern. Uncertain: No source states the unit; ms is likely."
   rtk_modem_hard_reset:
     -orig-id: rtk.modem_hard_reset
-    doc: Modem hard reset. Clears the flash memory of the modem.
+    doc: Modem hard reset. Clears the flash memory of the modem. It wears out the flash memory; use it rarely. Accepted in calibration mode only.
   rtk_get_status_flags_response:
     -orig-id: rtk.get_status_flags_response
-    doc: "Get status flags response. "
+    doc: Get status flags response. No device is known for certain to support it.
     seq:
       - id: flags
         type: rtk_status_flags
@@ -7457,17 +7457,17 @@ types:
         doc: Number of the SIM card.
   rtk_get_rssi_response:
     -orig-id: rtk.get_rssi_response
-    doc: "Get RSSI response. "
+    doc: "Get RSSI response. Uncertain: That `valid` applies to the other values is inferred."
     seq:
       - id: valid
         type: u1
         doc: True if the modem is connected.
       - id: rssi
         type: s4
-        doc: "Received signal strength. Valid if `valid` is true."
+        doc: "Received signal strength. Valid if `valid` is true. Uncertain: No source states the unit; dBm is likely."
       - id: signal_quality
         type: s4
-        doc: "Quality of the modem's radio signal. Valid if `valid` is true."
+        doc: "Quality of the modem's radio signal. Valid if `valid` is true. Uncertain: No source states the unit."
   rtk_connected_device_type_response:
     -orig-id: rtk.connected_device_type_response
     doc: "Connected device type response. "
@@ -7478,7 +7478,7 @@ types:
         doc: Type of device that the modem is connected to.
   rtk_get_activation_code_response:
     -orig-id: rtk.get_activation_code_response
-    doc: "Get activation code response. "
+    doc: Get activation code response. No device is known for certain to support it.
     seq:
       - id: activation_code
         type: str
@@ -7494,7 +7494,7 @@ types:
         doc: Firmware version of the modem, not of the dongle.
   rtk_service_status_response:
     -orig-id: rtk.service_status_response
-    doc: Service status response. Connection status according to the server.
+    doc: "Service status response. Connection status according to the server. Uncertain: No source states what the counters count."
     seq:
       - id: flags
         type: rtk_service_flags
@@ -7507,13 +7507,13 @@ types:
         doc: "Number of bytes in the last transfer. Unit: byte."
       - id: last_bytes_time
         type: u8
-        doc: Time of the last transfer.
+        doc: "Time of the last transfer. Uncertain: No source states the unit and the epoch."
   displacement_get_calibration:
     -orig-id: displacement.get_calibration
-    doc: Get analog to displacement calibration. Reads the slope and offset with which the device converts ADC counts to displacement.
+    doc: Get analog to displacement calibration. Reads the slope and offset with which the device converts ADC counts to displacement. No device is known for certain to support it.
   displacement_output_rate:
     -orig-id: displacement.output_rate
-    doc: Displacement output data rate. Reads the rate at which displacement is measured.
+    doc: "Displacement output data rate. Reads the rate at which displacement is measured. No device is known for certain to support it. Uncertain: MSCL only reads the rate; a write may not be supported."
     seq:
       - id: function_value
         -orig-id: function
@@ -7522,7 +7522,7 @@ types:
         doc: Operation on the setting.
   displacement_device_time:
     -orig-id: displacement.device_time
-    doc: "Displacement device time. Sets the clock of the device, from which `displacement_data_timestamp` is taken."
+    doc: "Displacement device time. Sets the clock of the device, from which `displacement_data_timestamp` is taken. No device is known for certain to support it. Uncertain: MSCL only writes the time; a read may not be supported."
     seq:
       - id: function_value
         -orig-id: function
@@ -7535,24 +7535,24 @@ types:
         doc: "UTC since 1970-01-01, without leap seconds. Unit: ns."
   displacement_get_calibration_response:
     -orig-id: displacement.get_calibration_response
-    doc: "Get analog to displacement calibration response. "
+    doc: Get analog to displacement calibration response. No device is known for certain to support it.
     seq:
       - id: slope
         type: f4
-        doc: Displacement per ADC count.
+        doc: "Displacement per ADC count. Uncertain: No source states the unit; mm per count is likely."
       - id: offset
         type: f4
-        doc: Displacement at zero counts.
+        doc: "Displacement at zero counts. Uncertain: No source states the unit; mm is likely."
   displacement_output_rate_response:
     -orig-id: displacement.output_rate_response
-    doc: "Displacement output data rate response. "
+    doc: Displacement output data rate response. No device is known for certain to support it.
     seq:
       - id: rate
         type: u4
         doc: "Rate of displacement data. Unit: Hz."
   aiding_frame_config:
     -orig-id: aiding.frame_config
-    doc: Frame configuration. Sets the position and the orientation of an external sensor on the vehicle.
+    doc: "Frame configuration. Sets the position and the orientation of an external sensor on the vehicle. Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the translation t. For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. In a read, `format` selects the format of the rotation in the reply."
     seq:
       - id: function_value
         -orig-id: function
@@ -7587,14 +7587,14 @@ types:
           - id: euler
             type: vector3f
             if: _parent.format == aiding_aiding_frame_format::euler
-            doc: Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above.
+            doc: "Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above. Unit: rad. Frame: vehicle. Range: -pi to pi."
           - id: quaternion
             type: quatf
             if: _parent.format == aiding_aiding_frame_format::quaternion
-            doc: Quaternion, scalar part first.
+            doc: "Quaternion, scalar part first. Unit: 1."
   aiding_sensor_frame_map:
     -orig-id: aiding.sensor_frame_map
-    doc: Sensor frame map. Sets the frame in which an aiding sensor measures.
+    doc: "Sensor frame map. Sets the frame in which an aiding sensor measures. Uncertain: The layout is that of a branch of the SDK of 2024; later versions do not have it. Uncertain: No source lists the devices that support it."
     seq:
       - id: function_value
         -orig-id: function
@@ -7611,7 +7611,7 @@ types:
         doc: "Frame of the sensor, defined by `aiding_frame_config`. Range: 1 to 4. Default: 1."
   aiding_echo_control:
     -orig-id: aiding.echo_control
-    doc: Echo control. Sets how the device replies to aiding measurements.
+    doc: Echo control. Sets how the device replies to aiding measurements. The manual does not contain the layout of the responses that carry the data back.
     seq:
       - id: function_value
         -orig-id: function
@@ -7625,7 +7625,7 @@ types:
         doc: Reply mode.
   aiding_ecef_position:
     -orig-id: aiding.ecef_position
-    doc: ECEF position. Sends a measured position in Earth-fixed coordinates.
+    doc: "ECEF position. Sends a measured position in Earth-fixed coordinates. Use only one form of position: ECEF or LLH. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7644,7 +7644,7 @@ types:
         doc: Valid axes.
   aiding_llh_position:
     -orig-id: aiding.llh_position
-    doc: LLH position. Sends a measured position as latitude, longitude and height.
+    doc: "LLH position. Sends a measured position as latitude, longitude and height. Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7654,10 +7654,10 @@ types:
         doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: latitude
         type: f8
-        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if `valid_flags.latitude` is set."
       - id: longitude
         type: f8
-        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.longitude` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if `valid_flags.longitude` is set."
       - id: height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.height` is set."
@@ -7669,7 +7669,7 @@ types:
         doc: Valid coordinates.
   aiding_height_above_ellipsoid:
     -orig-id: aiding.height_above_ellipsoid
-    doc: Height above ellipsoid. Sends a measured height above the ellipsoid.
+    doc: "Height above ellipsoid. Sends a measured height above the ellipsoid. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7688,7 +7688,7 @@ types:
         doc: Nonzero if the measurement is valid.
   aiding_pressure_old:
     -orig-id: aiding.pressure_old
-    doc: "Pressure (old). Sends a static air pressure measured by an external sensor (superseded by `aiding_pressure`)."
+    doc: "Pressure (old). Sends a static air pressure measured by an external sensor (superseded by `aiding_pressure`). Uncertain: The layout is that of a branch of the SDK of 2024; later versions do not have it. Uncertain: No source lists the devices that support it."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7707,7 +7707,7 @@ types:
         doc: Nonzero if the measurement is valid.
   aiding_ecef_velocity:
     -orig-id: aiding.ecef_velocity
-    doc: ECEF velocity. Sends a measured velocity in Earth-fixed coordinates.
+    doc: "ECEF velocity. Sends a measured velocity in Earth-fixed coordinates. Use only one form of velocity: ECEF or NED. For a sensor that is fixed to the vehicle, use `aiding_body_frame_velocity`. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7726,7 +7726,7 @@ types:
         doc: Valid axes.
   aiding_ned_velocity:
     -orig-id: aiding.ned_velocity
-    doc: NED velocity. Sends a measured velocity in the local level frame.
+    doc: "NED velocity. Sends a measured velocity in the local level frame. Use only one form of velocity: ECEF or NED. For a sensor that is fixed to the vehicle, use `aiding_body_frame_velocity`. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7745,7 +7745,7 @@ types:
         doc: Valid axes.
   aiding_body_frame_velocity:
     -orig-id: aiding.body_frame_velocity
-    doc: Body frame velocity. Sends a measured velocity of the vehicle in the frame of the sensor.
+    doc: "Body frame velocity. Sends a measured velocity of the vehicle in the frame of the sensor. The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a velocity of 0 with only y valid, at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). For a zero velocity update, send a velocity of 0 while the GNSS speed is below a threshold that you choose. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7764,7 +7764,7 @@ types:
         doc: Valid axes.
   aiding_true_heading:
     -orig-id: aiding.true_heading
-    doc: True heading. Sends a measured heading relative to true north.
+    doc: "True heading. Sends a measured heading relative to true north. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7774,7 +7774,7 @@ types:
         doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: heading
         type: f4
-        doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the heading. Unit: rad. Range: greater than 0."
@@ -7783,7 +7783,7 @@ types:
         doc: Nonzero if the measurement is valid.
   aiding_magnetic_field:
     -orig-id: aiding.magnetic_field
-    doc: Magnetic field. Sends a magnetic field measured by an external magnetometer.
+    doc: "Magnetic field. Sends a magnetic field measured by an external magnetometer. The magnetometer must be calibrated. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7802,7 +7802,7 @@ types:
         doc: Valid axes.
   aiding_pressure:
     -orig-id: aiding.pressure
-    doc: Pressure. Sends a static air pressure measured by an external sensor.
+    doc: "Pressure. Sends a static air pressure measured by an external sensor. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time
@@ -7846,11 +7846,11 @@ types:
           - id: euler
             type: vector3f
             if: _parent.format == aiding_aiding_frame_format::euler
-            doc: Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above.
+            doc: "Roll, pitch and yaw of the frame relative to the vehicle; positive are right side down, nose up, and clockwise seen from above. Unit: rad. Frame: vehicle. Range: -pi to pi."
           - id: quaternion
             type: quatf
             if: _parent.format == aiding_aiding_frame_format::quaternion
-            doc: Quaternion, scalar part first.
+            doc: "Quaternion, scalar part first. Unit: 1."
   aiding_sensor_frame_map_response:
     -orig-id: aiding.sensor_frame_map_response
     doc: "Sensor frame map response. "
@@ -7871,7 +7871,7 @@ types:
         doc: Reply mode.
   system_interface_control:
     -orig-id: system.interface_control
-    doc: Interface control. Sets the protocols that a port receives and sends.
+    doc: Interface control. Sets the protocols that a port receives and sends. Accepted on the main port only. The main port always keeps MIP in both directions. The change takes effect before the ACK, which is sent on the main port. Bytes that arrive during the change may be lost. The device rejects protocols that it or the port does not support, and settings that need more parsers than it has. A rejected command changes nothing. Replies to an incoming protocol are sent on the same port, even if the protocol is not an outgoing one. Devices differ in how many protocols they receive and send at a time.
     seq:
       - id: function_value
         -orig-id: function
@@ -7882,7 +7882,7 @@ types:
         type: u1
         enum: comm_interface
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: Port whose protocols are set or read.
+        doc: "Port whose protocols are set or read. Uncertain: No source states whether write and read accept `all`."
       - id: protocols_incoming
         type: system_comm_protocols
         if: function_value == function_selector::write or _io.size >= 6
@@ -7893,7 +7893,7 @@ types:
         doc: Protocols that the port sends.
   system_comm_mode:
     -orig-id: system.comm_mode
-    doc: Communication mode. Switches the port between the device and one of its internal sensors.
+    doc: "Communication mode. Switches the port between the device and one of its internal sensors. The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself replies only to this command and `mip_3dm_device_status`."
     seq:
       - id: function_value
         -orig-id: function
@@ -7912,7 +7912,7 @@ types:
       - id: port
         type: u1
         enum: comm_interface
-        doc: Port whose protocols are set or read.
+        doc: "Port whose protocols are set or read. Uncertain: No source states whether write and read accept `all`."
       - id: protocols_incoming
         type: system_comm_protocols
         doc: Protocols that the port receives.
@@ -7947,10 +7947,10 @@ types:
     seq:
       - id: raw_mag
         type: vector3f
-        doc: "Magnetic field in counts. Unit: 1. Frame: vehicle."
+        doc: "Magnetic field in counts. Unit: 1. Frame: vehicle. Uncertain: The frame is doubtful: the SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular rate."
   sensor_scaled_accel:
     -orig-id: sensor.scaled_accel
-    doc: "Scaled accel. Specific force, temperature compensated: about -1 g on z when level and at rest."
+    doc: "Scaled accel. Specific force, temperature compensated: about -1 g on z when level and at rest. At rest, it is the opposite of the gravity vector."
     seq:
       - id: scaled_accel
         type: vector3f
@@ -7961,7 +7961,7 @@ types:
     seq:
       - id: scaled_gyro
         type: vector3f
-        doc: "Angular rate about each axis. Unit: rad/s. Frame: vehicle."
+        doc: "Angular rate about each axis. Unit: rad/s. Frame: vehicle. Positive: right side down, nose up, clockwise seen from above."
   sensor_scaled_mag:
     -orig-id: sensor.scaled_mag
     doc: Scaled mag. Measured magnetic field, temperature compensated.
@@ -7975,81 +7975,81 @@ types:
     seq:
       - id: delta_theta
         type: vector3f
-        doc: "Integral of the angular rate. Unit: rad. Frame: vehicle."
+        doc: "Integral of the angular rate. Unit: rad. Frame: vehicle. Positive: right side down, nose up, clockwise seen from above."
   sensor_delta_velocity:
     -orig-id: sensor.delta_velocity
-    doc: Delta velocity. Time integral of the specific force over the period set by the message format.
+    doc: "Delta velocity. Time integral of the specific force over the period set by the message format. Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. Divided by the period, z is -1 g on a device that is level and at rest."
     seq:
       - id: delta_velocity
         type: vector3f
         doc: "Integral of the specific force: acceleration minus gravity. Unit: g*s. Frame: vehicle."
   sensor_comp_orientation_matrix:
     -orig-id: sensor.comp_orientation_matrix
-    doc: Complementary filter orientation matrix. Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
+    doc: "Complementary filter orientation matrix. Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame. `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame."
     seq:
       - id: m
         type: matrix3f
         doc: "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame; row-major."
   sensor_comp_quaternion:
     -orig-id: sensor.comp_quaternion
-    doc: Complementary filter quaternion. Attitude from the complementary filter as a quaternion, relative to the NED frame.
+    doc: "Complementary filter quaternion. Attitude from the complementary filter as a quaternion, relative to the NED frame. The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame. `v_ned = q * v_vehicle * q^-1`"
     seq:
       - id: q
         type: quatf
         doc: "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. On the 3DM-GX5-15: Rotates vectors of the sensor frame into the NED frame; Hamilton quaternion, w first."
   sensor_comp_orientation_update_matrix:
     -orig-id: sensor.comp_orientation_update_matrix
-    doc: "Complementary filter orientation update matrix. Change in the complementary filter's attitude, as a matrix."
+    doc: "Complementary filter orientation update matrix. Change in the complementary filter's attitude, as a matrix. Deprecated: the SDK marks it as deprecated and names no replacement. Uncertain: No source states the interval of the change and the frames; the SDKs state only the name and the layout."
     seq:
       - id: m
         type: matrix3f
         doc: "Matrix in row-major order. Unit: 1."
   sensor_comp_euler_angles:
     -orig-id: sensor.comp_euler_angles
-    doc: Complementary filter Euler angles. Attitude from the complementary filter as Euler angles, relative to the NED frame.
+    doc: "Complementary filter Euler angles. Attitude from the complementary filter as Euler angles, relative to the NED frame. Uncertain: The ranges of the angles are inferred; no source states them."
     seq:
       - id: roll
         type: f4
-        doc: "Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down."
       - id: pitch
         type: f4
-        doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."
+        doc: "Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up."
       - id: yaw
         type: f4
-        doc: "Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi."
+        doc: "Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above."
   sensor_orientation_raw_temperature:
     -orig-id: sensor.orientation_raw_temperature
-    doc: Orientation raw temperatures. Raw readings of four temperature sensors.
+    doc: "Orientation raw temperatures. Raw readings of four temperature sensors. Deprecated: the SDK marks it as deprecated and names no replacement. The first sensor belongs to the magnetometer, the second to gyroscope 3 and accelerometer 3, the third to gyroscope 2 and accelerometers 1 and 2, the fourth to gyroscope 1."
     seq:
       - id: raw_temperature
         type: u2
         repeat: expr
         repeat-expr: 4
-        doc: "Temperatures in counts. Unit: 1."
+        doc: "Temperatures in counts. Unit: 1. Uncertain: No source states the scale, or the axes of the numbers 1 to 3."
   sensor_internal_timestamp:
     -orig-id: sensor.internal_timestamp
-    doc: Internal timestamp. Free-running counter of the device.
+    doc: "Internal timestamp. Free-running counter of the device. Deprecated: the SDK marks it as deprecated and names no replacement. Uncertain: No source lists the devices that send it; the SDK of 2014 is for devices of the 3-series and 4-series."
     seq:
       - id: counts
         type: u4
         doc: "Counter: 62 500 counts per second, 16 us each. Unit: 1."
   sensor_pps_timestamp:
     -orig-id: sensor.pps_timestamp
-    doc: PPS timestamp. Time counted by the pulse per second.
+    doc: "PPS timestamp. Time counted by the pulse per second. Deprecated: the SDK marks it as deprecated and names no replacement. The sources contradict each other. Only the SDK has this layout. Uncertain: Possibly no device sends it; `sensor_pps_timestamp_with_flags` has more sources. Uncertain: No source states the epoch."
     seq:
       - id: seconds
         type: u4
-        doc: "Whole seconds. Unit: s."
+        doc: "Whole seconds. Unit: s. Uncertain: The unit is inferred from the name."
       - id: useconds
         type: u4
-        doc: "Fraction of the second. Unit: us."
+        doc: "Fraction of the second. Unit: us. Uncertain: The unit is inferred from the name."
   sensor_pps_timestamp_with_flags:
     -orig-id: sensor.pps_timestamp_with_flags
-    doc: PPS timestamp with flags. Time counted by the pulse per second, with its state and nanoseconds.
+    doc: "PPS timestamp with flags. Time counted by the pulse per second, with its state and nanoseconds. Deprecated: the SDK marks the descriptor as deprecated and names no replacement. The sources disagree on the layout; this one is from MSCL and the SDK of 2014. Uncertain: No source lists the devices that send it; the SDK of 2014 dates from the time of the 3DM-GX3. Uncertain: No source states the epoch."
     seq:
       - id: flags
         type: u1
-        doc: State of the time.
+        doc: "State of the time. Uncertain: No source states the meaning of the bits."
       - id: seconds
         type: u4
         doc: "Whole seconds. Unit: s."
@@ -8058,21 +8058,21 @@ types:
         doc: "Fraction of the second. Unit: ns."
   sensor_north_vector:
     -orig-id: sensor.north_vector
-    doc: Complementary filter stabilized north vector. Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
+    doc: Complementary filter stabilized north vector. Estimate of the geomagnetic field by the complementary filter, free of short disturbances. Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle transformation moves the latter out of the sensor frame. A lasting disturbance is not compensated.
     seq:
       - id: stabilized_mag
         type: vector3f
-        doc: "Geomagnetic field. Unit: gauss. Frame: sensor."
+        doc: "Geomagnetic field. Unit: gauss. Frame: sensor. Uncertain: The frame is doubtful: the SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector."
   sensor_up_vector:
     -orig-id: sensor.up_vector
-    doc: Complementary filter stabilized up vector. Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
+    doc: Complementary filter stabilized up vector. Estimate of the vertical (up) by the complementary filter, free of linear acceleration. At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the latter out of the sensor frame.
     seq:
       - id: stabilized_accel
         type: vector3f
-        doc: "Opposite of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor."
+        doc: "Opposite of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor. Uncertain: The frame is doubtful: the SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector."
   sensor_gps_timestamp:
     -orig-id: sensor.gps_timestamp
-    doc: GPS timestamp. GPS time of the sensor data.
+    doc: "GPS timestamp. GPS time of the sensor data. Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction of the time of week is the time since the last pulse. Without external synchronization it is the internal system time. Where the device has it, use `shared_gps_timestamp` instead; this field may be deprecated."
     seq:
       - id: tow
         type: f8
@@ -8085,7 +8085,7 @@ types:
         doc: "State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `gx5_sensor_gps_timestamp_flags` (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of `gx5_sensor_gps_timestamp_flags`."
   sensor_temperature_statistics:
     -orig-id: sensor.temperature_statistics
-    doc: Temperature statistics. Temperatures since the last power-on or reset.
+    doc: Temperature statistics. Temperatures since the last power-on or reset. The values come from the inertial sensors, alone or together with sensors on the board.
     seq:
       - id: min_temperature
         type: f4
@@ -8123,7 +8123,7 @@ types:
     seq:
       - id: speed
         type: f4
-        doc: "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle. Valid if `valid_flags.odometer` is set."
+        doc: "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Frame: vehicle. Positive: forward. Valid if `valid_flags.odometer` is set."
       - id: uncertainty
         type: f4
         doc: "Uncertainty of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.odometer` is set."
@@ -8136,10 +8136,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.lat_lon` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if `valid_flags.lat_lon` is set."
       - id: longitude
         type: f8
-        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.lat_lon` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if `valid_flags.lat_lon` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.ellipsoid_height` is set."
@@ -8183,7 +8183,7 @@ types:
         doc: "Speed over ground. Unit: m/s. Range: at least 0. Valid if `valid_flags.ground_speed` is set."
       - id: heading
         type: f4
-        doc: "Direction of the motion over ground. Unit: deg. Frame: ned. Valid if `valid_flags.heading` is set."
+        doc: "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if `valid_flags.heading` is set."
       - id: speed_accuracy
         type: f4
         doc: "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if `valid_flags.speed_accuracy` is set."
@@ -8277,7 +8277,7 @@ types:
         doc: Validity flags for the time.
   gnss_data_clock_info:
     -orig-id: gnss_data.clock_info
-    doc: Clock info. Bias and drift of the receiver clock.
+    doc: Clock info. Bias and drift of the receiver clock. No device is known for certain to support it. Clock info 2 supersedes it and is more detailed.
     seq:
       - id: bias
         type: f8
@@ -8310,7 +8310,7 @@ types:
         doc: Validity flags for the fix information.
   gnss_data_sv_info:
     -orig-id: gnss_data.sv_info
-    doc: Satellite info. State of one tracked satellite.
+    doc: "Satellite info. State of one tracked satellite. Each satellite is sent as one field, in packets separate from other GNSS data. Uncertain: It is not known whether a packet contains one of these fields or several."
     seq:
       - id: channel
         type: u1
@@ -8323,10 +8323,10 @@ types:
         doc: "Carrier to noise density ratio. Unit: dB-Hz. Valid if `valid_flags.carrier_noise_ratio` is set."
       - id: azimuth
         type: s2
-        doc: "Direction of the satellite, from true north. Unit: deg. Frame: ned. Valid if `valid_flags.azimuth` is set."
+        doc: "Direction of the satellite, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if `valid_flags.azimuth` is set."
       - id: elevation
         type: s2
-        doc: "Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
+        doc: "Angle between the horizon and the satellite. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if `valid_flags.elevation` is set."
       - id: sv_flags
         type: gnss_data_sv_flags
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
@@ -8354,11 +8354,11 @@ types:
         doc: Validity flags for the hardware status.
   gnss_data_dgps_info:
     -orig-id: gnss_data.dgps_info
-    doc: DGPS info. State of the differential corrections.
+    doc: "DGPS info. State of the differential corrections. The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in the SDK of 2014. Uncertain: Devices could also send `gnss_data_dgps_info_satellite`, the layout of the SDK, but only this one agrees with the valid flags, which are the same in all sources."
     seq:
       - id: age
         type: f4
-        doc: "Age of the corrections. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
+        doc: "Age of the corrections. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set. Uncertain: The unit is that of `gnss_data_dgps_channel`; no source states it here."
       - id: base_station_id
         type: s2
         doc: "Number of the base station. Valid if `valid_flags.base_station_id` is set."
@@ -8373,26 +8373,26 @@ types:
         doc: Validity flags for the state of the corrections.
   gnss_data_dgps_info_satellite:
     -orig-id: gnss_data.dgps_info_satellite
-    doc: "DGPS info for one satellite. Differential correction for one satellite, in the SDK's layout of DGPS info."
+    doc: "DGPS info for one satellite. Differential correction for one satellite, in the SDK's layout of DGPS info. The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document `gnss_data_dgps_info` instead. The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no value in this layout. Uncertain: Possibly no device sends it: the values are those of `gnss_data_dgps_channel`, but the flags those of `gnss_data_dgps_info`, so a mistake in the SDK is likely."
     seq:
       - id: satellite_id
         type: u1
         doc: Number of the satellite.
       - id: age
         type: f4
-        doc: "Age of the correction. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set."
+        doc: "Age of the correction. Unit: s. Range: at least 0. Valid if `valid_flags.age` is set. Uncertain: The unit is that of `gnss_data_dgps_channel`; no source states it here."
       - id: range_correction
         type: f4
-        doc: "Differential correction of the pseudorange. Unit: m."
+        doc: "Differential correction of the pseudorange. Unit: m. Uncertain: The unit is that of `gnss_data_dgps_channel`; no source states it here."
       - id: range_rate_correction
         type: f4
-        doc: "Rate of change of the correction. Unit: m/s."
+        doc: "Rate of change of the correction. Unit: m/s. Uncertain: The unit is that of `gnss_data_dgps_channel`; no source states it here."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
         doc: Validity flags for the state of the corrections.
   gnss_data_dgps_channel:
     -orig-id: gnss_data.dgps_channel
-    doc: DGPS channel. Differential correction for one satellite.
+    doc: DGPS channel. Differential correction for one satellite. Each active satellite is sent as one field, all in one packet.
     seq:
       - id: satellite_id
         type: u1
@@ -8411,7 +8411,7 @@ types:
         doc: Validity flags for a differential correction.
   gnss_data_clock_info_2:
     -orig-id: gnss_data.clock_info_2
-    doc: Clock info 2. Bias and drift of the receiver clock.
+    doc: "Clock info 2. Bias and drift of the receiver clock. It supersedes clock info. Uncertain: The units are inferred from those of the ephemerides; no source states them."
     seq:
       - id: bias
         type: f8
@@ -8466,7 +8466,7 @@ types:
         doc: Validity flags for the SBAS status.
   gnss_data_sbas_correction:
     -orig-id: gnss_data.sbas_correction
-    doc: SBAS correction. SBAS correction for one satellite.
+    doc: "SBAS correction. SBAS correction for one satellite. An epoch is sent as one field for each satellite; `index` and `count` number the fields. For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695."
     seq:
       - id: index
         type: u1
@@ -8501,7 +8501,7 @@ types:
         doc: Validity flags for an SBAS correction.
   gnss_data_rf_error_detection:
     -orig-id: gnss_data.rf_error_detection
-    doc: RF error detection. Jamming and spoofing that the receiver detects in one band.
+    doc: "RF error detection. Jamming and spoofing that the receiver detects in one band. Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time sends 0 there and does not set its flag."
     seq:
       - id: rf_band
         type: u1
@@ -8528,14 +8528,14 @@ types:
         doc: Validity flags for the detection.
   gnss_data_heading:
     -orig-id: gnss_data.heading
-    doc: GNSS heading. Heading that the receiver computes from its antennas.
+    doc: "GNSS heading. Heading that the receiver computes from its antennas. Uncertain: The SDK names no device that sends it."
     seq:
       - id: heading
         type: f4
-        doc: "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Valid if `valid_flags.heading` is set."
+        doc: "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if `valid_flags.heading` is set. Uncertain: Clockwise from true north is usual; the SDK only states degrees, and no range. Uncertain: No source states from which antenna to which the baseline points. The opposite one differs by 180 degrees."
       - id: uncertainty
         type: f4
-        doc: "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.uncertainty` is set."
+        doc: "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.uncertainty` is set. Uncertain: It is not known whether this is one standard deviation."
       - id: fix_type
         type: u1
         enum: gnss_data_heading_fix_type
@@ -8545,7 +8545,7 @@ types:
         doc: Validity flags for the heading.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
-    doc: Satellite status. Direction to one satellite, and its health.
+    doc: "Satellite status. Direction to one satellite, and its health. An epoch is sent as one field for each satellite; `index` and `count` number the fields."
     seq:
       - id: index
         type: u1
@@ -8568,10 +8568,10 @@ types:
         doc: "Satellite within the constellation. Valid if `valid_flags.satellite_id` is set."
       - id: elevation
         type: f4
-        doc: "Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90. Valid if `valid_flags.elevation` is set."
+        doc: "Angle between the horizon and the satellite, seen from the rover. Unit: deg. Frame: ned. Range: -90 to 90. Positive: above the horizon. Valid if `valid_flags.elevation` is set."
       - id: azimuth
         type: f4
-        doc: "Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Valid if `valid_flags.azimuth` is set."
+        doc: "Direction of the satellite from the rover, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if `valid_flags.azimuth` is set."
       - id: health
         type: u1
         doc: "True if the satellite is healthy. Valid if `valid_flags.health` is set."
@@ -8580,7 +8580,7 @@ types:
         doc: Validity flags for the satellite status.
   gnss_data_raw:
     -orig-id: gnss_data.raw
-    doc: Raw. Raw observation of one signal of one satellite.
+    doc: "Raw. Raw observation of one signal of one satellite. An epoch is sent as one field for each signal; `index` and `count` number the fields. The greatest lock time depends on the receiver."
     seq:
       - id: index
         type: u1
@@ -8682,7 +8682,7 @@ types:
         doc: "Corrections received during this epoch. Valid if `valid_flags.epoch_status` is set."
       - id: dongle_status
         type: rtk_status_flags
-        doc: "Status flags of the RTK dongle, meaningful only if one is connected. Valid if `valid_flags.dongle_status` is set."
+        doc: "Status flags of the RTK dongle, meaningful only if one is connected. Valid if `valid_flags.dongle_status` is set. The same word as in the response to `rtk_get_status_flags`, in one of its two forms."
       - id: gps_correction_latency
         type: f4
         doc: "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if `valid_flags.gps_latency` is set."
@@ -8705,7 +8705,7 @@ types:
         doc: Valid values.
   gnss_data_gps_ephemeris:
     -orig-id: gnss_data.gps_ephemeris
-    doc: GPS ephemeris. Broadcast orbit and clock of one GPS satellite.
+    doc: "GPS ephemeris. Broadcast orbit and clock of one GPS satellite. `iodc` changes with the clock data; according to the manual, it rolls over at 4."
     seq:
       - id: index
         type: u1
@@ -8811,7 +8811,7 @@ types:
         doc: Contents of the ephemeris.
   gnss_data_glonass_ephemeris:
     -orig-id: gnss_data.glonass_ephemeris
-    doc: GLONASS ephemeris. Broadcast orbit and clock of one GLONASS satellite.
+    doc: GLONASS ephemeris. Broadcast orbit and clock of one GLONASS satellite. The GLONASS interface control document explains p and ft. A period of four years has 1461 days; no source states how nt, a u8, counts them.
     seq:
       - id: index
         type: u1
@@ -8891,7 +8891,7 @@ types:
         doc: Validity of the ephemeris.
   gnss_data_galileo_ephemeris:
     -orig-id: gnss_data.galileo_ephemeris
-    doc: Galileo ephemeris. Broadcast orbit and clock of one Galileo satellite.
+    doc: "Galileo ephemeris. Broadcast orbit and clock of one Galileo satellite. It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4."
     seq:
       - id: index
         type: u1
@@ -8997,7 +8997,7 @@ types:
         doc: Contents of the ephemeris.
   gnss_data_beidou_ephemeris:
     -orig-id: gnss_data.beidou_ephemeris
-    doc: BeiDou ephemeris. Broadcast orbit and clock of one BeiDou satellite.
+    doc: "BeiDou ephemeris. Broadcast orbit and clock of one BeiDou satellite. It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4."
     seq:
       - id: index
         type: u1
@@ -9115,12 +9115,12 @@ types:
         type: f8
         repeat: expr
         repeat-expr: 4
-        doc: "Coefficients alpha 0 to 3. Valid if `valid_flags.alpha` is set."
+        doc: "Coefficients alpha 0 to 3. Valid if `valid_flags.alpha` is set. Uncertain: No source states the units."
       - id: beta
         type: f8
         repeat: expr
         repeat-expr: 4
-        doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set."
+        doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set. Uncertain: No source states the units."
       - id: valid_flags
         type: gnss_data_gps_iono_correction_flags
         doc: Validity flags for the model.
@@ -9138,10 +9138,10 @@ types:
         type: f8
         repeat: expr
         repeat-expr: 3
-        doc: "The three coefficients of the model. Valid if `valid_flags.alpha` is set."
+        doc: "The three coefficients of the model. Valid if `valid_flags.alpha` is set. Uncertain: No source states the units."
       - id: disturbance_flags
         type: u1
-        doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set."
+        doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set. Uncertain: No source states whether the bits count from 0 or from 1, or the region of each."
       - id: valid_flags
         type: gnss_data_galileo_iono_correction_flags
         doc: Validity flags for the model.
@@ -9159,17 +9159,17 @@ types:
         type: f8
         repeat: expr
         repeat-expr: 4
-        doc: "Coefficients alpha 0 to 3. Valid if `valid_flags.alpha` is set."
+        doc: "Coefficients alpha 0 to 3. Valid if `valid_flags.alpha` is set. Uncertain: No source states the units."
       - id: beta
         type: f8
         repeat: expr
         repeat-expr: 4
-        doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set."
+        doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set. Uncertain: No source states the units."
       - id: alpha_correction
         type: f8
         repeat: expr
         repeat-expr: 9
-        doc: "Nine further coefficients of the delay. Valid if `valid_flags.alpha_correction` is set."
+        doc: "Nine further coefficients of the delay. Valid if `valid_flags.alpha_correction` is set. Uncertain: No source states the units."
       - id: valid_flags
         type: gnss_data_beidou_iono_correction_flags
         doc: Validity flags for the model.
@@ -9179,10 +9179,10 @@ types:
     seq:
       - id: latitude
         type: f8
-        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.valid` is set."
+        doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if `valid_flags.valid` is set."
       - id: longitude
         type: f8
-        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Valid if `valid_flags.valid` is set."
+        doc: "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if `valid_flags.valid` is set."
       - id: ellipsoid_height
         type: f8
         doc: "Height above the ellipsoid. Unit: m. Frame: llh. Valid if `valid_flags.valid` is set."
@@ -9207,7 +9207,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_attitude_quaternion:
     -orig-id: filter_data.attitude_quaternion
-    doc: Attitude quaternion. Estimated orientation of the vehicle frame in the NED frame as a quaternion.
+    doc: "Attitude quaternion. Estimated orientation of the vehicle frame in the NED frame as a quaternion. `v_ned = q * v_vehicle * q^-1` The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint."
     seq:
       - id: q
         type: quatf
@@ -9217,7 +9217,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_attitude_dcm:
     -orig-id: filter_data.attitude_dcm
-    doc: Attitude direction cosine matrix. Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
+    doc: "Attitude direction cosine matrix. Estimated orientation of the vehicle frame in the NED frame as a rotation matrix. `v_vehicle = dcm * v_ned`"
     seq:
       - id: dcm
         type: matrix3f
@@ -9227,17 +9227,17 @@ types:
         doc: Validity of the values of a field.
   filter_data_euler_angles:
     -orig-id: filter_data.euler_angles
-    doc: Euler angles. Estimated orientation of the vehicle frame in the NED frame as Euler angles.
+    doc: "Euler angles. Estimated orientation of the vehicle frame in the NED frame as Euler angles. Uncertain: The ranges of the angles are inferred; no source states them."
     seq:
       - id: roll
         type: f4
-        doc: "Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down. Valid if `valid_flags.valid` is set."
       - id: pitch
         type: f4
-        doc: "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the y axis. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: nose up. Valid if `valid_flags.valid` is set."
       - id: yaw
         type: f4
-        doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
+        doc: "Rotation about the z axis: the heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9295,7 +9295,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_euler_angles_uncertainty:
     -orig-id: filter_data.euler_angles_uncertainty
-    doc: Euler angles uncertainty. Standard deviation of the estimated Euler angles.
+    doc: "Euler angles uncertainty. Standard deviation of the estimated Euler angles. 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70 degrees of pitch up or down."
     seq:
       - id: roll
         type: f4
@@ -9345,13 +9345,13 @@ types:
     seq:
       - id: gyro
         type: vector3f
-        doc: "Angular rate. Unit: rad/s. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Angular rate. Unit: rad/s. Frame: vehicle. Positive: right side down, nose up, clockwise seen from above. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
   filter_data_wgs84_gravity_magnitude:
     -orig-id: filter_data.wgs84_gravity_magnitude
-    doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device according to the WGS84 model.
+    doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device according to the WGS84 model. The model is valid up to an altitude of 20 km.
     seq:
       - id: gravity_magnitude
         type: f4
@@ -9361,7 +9361,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_status:
     -orig-id: filter_data.status
-    doc: Filter status. State, dynamics mode, condition and warnings of the filter.
+    doc: "Filter status. State, dynamics mode, condition and warnings of the filter. 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7, normal operation is state 4, mode 1, flags 1 (stable). 5-series and older: state 0 is start-up, 1 initialization, 2 a valid solution, 3 a solution with an error. Bits 12 and 13 of the flags have other meanings in state 1 than in states 2 and 3."
     seq:
       - id: filter_state
         type: u2
@@ -9374,7 +9374,7 @@ types:
         doc: "Condition and warnings. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_status_flags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_status_flags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_status_flags`. On the 3DM-GX5-15: values of `filter_data_gx5_status_flags`."
   filter_data_timestamp:
     -orig-id: filter_data.timestamp
-    doc: Filter timestamp. GPS time of the filter data.
+    doc: "Filter timestamp. GPS time of the filter data. Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: this field may be withdrawn; prefer `shared_gps_timestamp`."
     seq:
       - id: tow
         type: f8
@@ -9401,17 +9401,17 @@ types:
     seq:
       - id: gravity
         type: vector3f
-        doc: "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set. Uncertain: No source states the sign."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
   filter_data_heading_update_state:
     -orig-id: filter_data.heading_update_state
-    doc: Heading update source state. The last heading that updated the filter, and its source.
+    doc: Heading update source state. The last heading that updated the filter, and its source. The valid bit means that the source provided data within the last 2 seconds.
     seq:
       - id: heading
         type: f4
-        doc: "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -9423,7 +9423,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_magnetic_model:
     -orig-id: filter_data.magnetic_model
-    doc: Magnetic model. Magnetic field at the position of the device according to the World Magnetic Model.
+    doc: Magnetic model. Magnetic field at the position of the device according to the World Magnetic Model. It is valid only with a valid GNSS position.
     seq:
       - id: intensity_north
         type: f4
@@ -9436,10 +9436,10 @@ types:
         doc: "Down component of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: inclination
         type: f4
-        doc: "Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
+        doc: "Angle of the field below the horizontal plane. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Valid if `valid_flags.valid` is set."
       - id: declination
         type: f4
-        doc: "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Valid if `valid_flags.valid` is set."
+        doc: "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9515,7 +9515,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_standard_atmosphere:
     -orig-id: filter_data.standard_atmosphere
-    doc: "Standard atmosphere. US Standard Atmosphere of 1976 at the device's altitude."
+    doc: "Standard atmosphere. US Standard Atmosphere of 1976 at the device's altitude. No device is known for certain to support it. It is valid only with a valid GNSS position."
     seq:
       - id: geometric_altitude
         type: f4
@@ -9537,7 +9537,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_pressure_altitude:
     -orig-id: filter_data.pressure_altitude
-    doc: Pressure altitude. Altitude from the measured pressure, by the US Standard Atmosphere of 1976.
+    doc: Pressure altitude. Altitude from the measured pressure, by the US Standard Atmosphere of 1976. It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
     seq:
       - id: pressure_altitude
         type: f4
@@ -9547,7 +9547,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_density_altitude:
     -orig-id: filter_data.density_altitude
-    doc: Density altitude. Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere.
+    doc: "Density altitude. Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere. Uncertain: The SDK lists only the name; the description is the usual meaning of the term."
     seq:
       - id: density_altitude
         type: f4
@@ -9557,7 +9557,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_mag_offset:
     -orig-id: filter_data.mag_offset
-    doc: Magnetometer offset. Estimated hard iron offset of the magnetometer.
+    doc: "Magnetometer offset. Estimated hard iron offset of the magnetometer. No device is known for certain to support it. The filter adds it to the stored offset of `mip_3dm_mag_hard_iron_offset`."
     seq:
       - id: hard_iron
         type: vector3f
@@ -9567,7 +9567,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_mag_matrix:
     -orig-id: filter_data.mag_matrix
-    doc: Magnetometer matrix. Estimated soft iron matrix of the magnetometer.
+    doc: "Magnetometer matrix. Estimated soft iron matrix of the magnetometer. No device is known for certain to support it. The filter multiplies the stored matrix of `mip_3dm_mag_soft_iron_matrix` by this matrix on the right."
     seq:
       - id: soft_iron
         type: matrix3f
@@ -9577,7 +9577,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_mag_offset_uncertainty:
     -orig-id: filter_data.mag_offset_uncertainty
-    doc: Magnetometer offset uncertainty. Standard deviation of the estimated hard iron offset.
+    doc: Magnetometer offset uncertainty. Standard deviation of the estimated hard iron offset. No device is known for certain to support it.
     seq:
       - id: hard_iron_uncertainty
         type: vector3f
@@ -9587,7 +9587,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_mag_matrix_uncertainty:
     -orig-id: filter_data.mag_matrix_uncertainty
-    doc: Magnetometer matrix uncertainty. Standard deviation of the estimated soft iron matrix.
+    doc: Magnetometer matrix uncertainty. Standard deviation of the estimated soft iron matrix. No device is known for certain to support it.
     seq:
       - id: soft_iron_uncertainty
         type: matrix3f
@@ -9601,7 +9601,7 @@ types:
     seq:
       - id: covariance
         type: matrix3f
-        doc: "Covariance matrix in row-major order. Valid if `valid_flags.valid` is set."
+        doc: "Covariance matrix in row-major order. Valid if `valid_flags.valid` is set. Uncertain: No source states the unit, which is likely gauss^2, or the frame."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9617,7 +9617,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_antenna_offset_correction:
     -orig-id: filter_data.antenna_offset_correction
-    doc: Antenna offset correction. Estimated error of the GNSS antenna offset.
+    doc: "Antenna offset correction. Estimated error of the GNSS antenna offset. The filter adds it to the stored offset of `filter_antenna_offset`."
     seq:
       - id: offset
         type: vector3f
@@ -9669,7 +9669,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_multi_antenna_offset_correction:
     -orig-id: filter_data.multi_antenna_offset_correction
-    doc: "Multi-antenna offset correction. Estimated error of one GNSS antenna's offset."
+    doc: "Multi-antenna offset correction. Estimated error of one GNSS antenna's offset. The filter adds it to the stored offset."
     seq:
       - id: receiver_id
         type: u1
@@ -9745,7 +9745,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_gnss_position_aiding_status:
     -orig-id: filter_data.gnss_position_aiding_status
-    doc: GNSS position aiding status. Use of the position measurements of one GNSS receiver by the filter.
+    doc: GNSS position aiding status. Use of the position measurements of one GNSS receiver by the filter. Single precision resolves the time of week to 0.0625 s at the end of the week.
     seq:
       - id: receiver_id
         type: u1
@@ -9763,11 +9763,11 @@ types:
         doc: Reserved.
   filter_data_gnss_attitude_aiding_status:
     -orig-id: filter_data.gnss_attitude_aiding_status
-    doc: GNSS attitude aiding status. State of the attitude aiding by two GNSS antennas.
+    doc: GNSS attitude aiding status. State of the attitude aiding by two GNSS antennas. Single precision resolves the time of week to 0.0625 s at the end of the week.
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
+        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is not known whether this is the time of the measurement or that of its processing."
       - id: status
         type: filter_data_gnss_aiding_status
         doc: State of the measurements in the filter.
@@ -9778,11 +9778,11 @@ types:
         doc: Reserved. Reserved.
   filter_data_heading_aiding_status:
     -orig-id: filter_data.heading_aiding_status
-    doc: Heading aiding status. The heading measurement that the filter used last.
+    doc: Heading aiding status. The heading measurement that the filter used last. Single precision resolves the time of week to 0.0625 s at the end of the week.
     seq:
       - id: tow
         type: f4
-        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800."
+        doc: "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is not known whether this is the time of the measurement or that of its processing."
       - id: type
         type: u1
         enum: filter_data_heading_aiding_type
@@ -9794,7 +9794,7 @@ types:
         doc: Reserved. Reserved.
   filter_data_aiding_measurement_summary:
     -orig-id: filter_data.aiding_measurement_summary
-    doc: Aiding measurement summary. Use of one kind of aiding measurement in the last measurement interval.
+    doc: Aiding measurement summary. Use of one kind of aiding measurement in the last measurement interval. Single precision resolves the time of week to 0.0625 s at the end of the week.
     seq:
       - id: tow
         type: f4
@@ -9811,7 +9811,7 @@ types:
         doc: Use of the measurement by the filter.
   filter_data_odometer_scale_factor_error:
     -orig-id: filter_data.odometer_scale_factor_error
-    doc: Odometer scale factor error. Estimated relative error of the odometer scale factor.
+    doc: "Odometer scale factor error. Estimated relative error of the odometer scale factor. Estimated scale factor = configured scale factor * (1 + error)."
     seq:
       - id: scale_factor_error
         type: f4
@@ -9831,14 +9831,14 @@ types:
         doc: Validity of the values of a field.
   filter_data_gnss_dual_antenna_status:
     -orig-id: filter_data.gnss_dual_antenna_status
-    doc: GNSS dual antenna status. Heading from two GNSS antennas.
+    doc: "GNSS dual antenna status. Heading from two GNSS antennas. It is a measurement that aids the filter. The heading of `filter_data_euler_angles` is the estimate of the filter from all measurements. Single precision resolves the time of week to 0.0625 s at the end of the week."
     seq:
       - id: tow
         type: f4
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if `valid_flags.valid` is set."
       - id: heading
         type: f4
-        doc: "Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Heading derived from the baseline of the antennas. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -9880,21 +9880,21 @@ types:
         doc: "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0."
   displacement_data_displacement_raw:
     -orig-id: displacement_data.displacement_raw
-    doc: Raw displacement. Displacement in ADC counts.
+    doc: Raw displacement. Displacement in ADC counts. No device is known for certain to support it.
     seq:
       - id: counts
         type: u4
         doc: "Output of the analog-to-digital converter. Unit: 1."
   displacement_data_displacement:
     -orig-id: displacement_data.displacement
-    doc: Displacement. Displacement of the sensor, computed with its calibration.
+    doc: Displacement. Displacement of the sensor, computed with its calibration. No device is known for certain to support it.
     seq:
       - id: displacement
         type: f4
         doc: "Position of the sensor along its axis. Unit: mm."
   displacement_data_timestamp:
     -orig-id: displacement_data.timestamp
-    doc: Displacement device timestamp. Time of the measurement by the clock of the device.
+    doc: Displacement device timestamp. Time of the measurement by the clock of the device. No device is known for certain to support it.
     seq:
       - id: flags
         type: displacement_data_timestamp_flags
@@ -9904,7 +9904,7 @@ types:
         doc: "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if `flags.time` is set."
   system_data_built_in_test:
     -orig-id: system_data.built_in_test
-    doc: Built-in test. Flags of the tests that run all the time.
+    doc: Built-in test. Flags of the tests that run all the time. The field is long; stream it at a low rate or poll it. A fault that has passed before the next message is still reported, because its flag stays set until it is sent. Each stream and each event action keeps its own copy of the flags. Some flags may be set without a fault, for instance a receiver without a position fix. Unnamed bits are reserved and must be ignored.
     seq:
       - id: result
         type: u1
@@ -9923,14 +9923,14 @@ types:
         doc: "Time since the last pulse, at most 255. Unit: s."
   system_data_gpio_state:
     -orig-id: system_data.gpio_state
-    doc: GPIO state. Levels of all user GPIO pins.
+    doc: "GPIO state. Levels of all user GPIO pins. A pulse that is shorter than the period at which the field is sent is missed. The pins are sampled within one base period of this set. Levels are guaranteed to be valid only for pins that `mip_3dm_gpio_config` configures for the GPIO feature. For fast signals and exact times use the timestamp feature and the event system."
     seq:
       - id: states
         type: system_data_gpio_pin_states
         doc: One bit for each pin.
   system_data_gpio_analog_value:
     -orig-id: system_data.gpio_analog_value
-    doc: GPIO analog value. Voltage at one GPIO pin.
+    doc: GPIO analog value. Voltage at one GPIO pin. The pin must be configured as an analog input.
     seq:
       - id: gpio_id
         type: u1
@@ -9940,28 +9940,28 @@ types:
         doc: "Scaled voltage. Unit: V."
   shared_event_source:
     -orig-id: shared.event_source
-    doc: Event source. The event trigger that caused the packet.
+    doc: Event source. The event trigger that caused the packet. Put it first in the format of event messages, to distinguish their packets from scheduled ones.
     seq:
       - id: trigger_id
         type: u1
         doc: "Id of the trigger; 0 means that the packet was scheduled by `mip_3dm_message_format`."
   shared_ticks:
     -orig-id: shared.ticks
-    doc: Ticks. Base periods since power-up.
+    doc: "Ticks. Base periods since power-up. A tick is one period at the base rate of the device. Uncertain: According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates that time would be longer or shorter."
     seq:
       - id: ticks
         type: u4
         doc: "Base periods since the device started, modulo 2^32. Unit: 1."
   shared_delta_ticks:
     -orig-id: shared.delta_ticks
-    doc: Delta ticks. Number of base periods between the previous field of this kind and this one.
+    doc: "Delta ticks. Number of base periods between the previous field of this kind and this one. A tick is one period at the base rate of the device. Uncertain: Each set and each event instance may count separately, as with `shared_delta_time`."
     seq:
       - id: ticks
         type: u4
         doc: "Base periods since the previous field of this kind. Unit: 1."
   shared_gps_timestamp:
     -orig-id: shared.gps_timestamp
-    doc: GPS timestamp. External time of the data as GPS time of week and week number.
+    doc: "GPS timestamp. External time of the data as GPS time of week and week number. In event messages it is the time of the trigger. It becomes valid after the PPS is locked and `base_gps_time_update` has set the time of week and the week number. With an internal GNSS receiver as PPS source, the device usually sets the time itself. With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by the leap seconds, which are 18 s since 2017. `base_gps_time_update` sets GPS time."
     seq:
       - id: tow
         type: f8
@@ -9974,28 +9974,28 @@ types:
         doc: Validity flags for the timestamp.
   shared_delta_time:
     -orig-id: shared.delta_time
-    doc: Delta time. External time since this field was last sent in the same set and event instance.
+    doc: "Delta time. External time since this field was last sent in the same set and event instance. It is the same as `shared_external_time_delta`, in other units. Sending either restarts the counter that both share, so use only one of them."
     seq:
       - id: seconds
         type: f8
         doc: "Time since the last output. Unit: s. Range: at least 0."
   shared_reference_timestamp:
     -orig-id: shared.reference_timestamp
-    doc: Reference timestamp. Time of the data by the internal reference clock.
+    doc: Reference timestamp. Time of the data by the internal reference clock. The clock starts at power-on, only moves forward and never jumps; the value is always valid. In event messages it is the time of the trigger.
     seq:
       - id: nanoseconds
         type: u8
         doc: "Time since initialization. Unit: ns."
   shared_reference_time_delta:
     -orig-id: shared.reference_time_delta
-    doc: Reference time delta. Reference time since this field was last sent in the same set and event instance.
+    doc: Reference time delta. Reference time since this field was last sent in the same set and event instance. The value is always valid.
     seq:
       - id: dt_nanos
         type: u8
         doc: "Time since the last output. Unit: ns."
   shared_external_timestamp:
     -orig-id: shared.external_timestamp
-    doc: External timestamp. Time of the data in the external clock domain.
+    doc: "External timestamp. Time of the data in the external clock domain. It is `shared_gps_timestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes valid when the external clock is synchronized through the PPS. Its epoch is the epoch of the time sent with `base_gps_time_update`: in most systems that of GPS time, but possibly another, such as the Unix epoch. Use `shared_gps_timestamp` for GPS time only. With a receiver as the source of the PPS (`mip_3dm_pps_source_control`), it is GPS time, and valid only while that receiver has a fix."
     seq:
       - id: nanoseconds
         type: u8
@@ -10005,7 +10005,7 @@ types:
         doc: Validity of the time.
   shared_external_time_delta:
     -orig-id: shared.external_time_delta
-    doc: External time delta. External time since this field was last sent in the same set and event instance.
+    doc: "External time delta. External time since this field was last sent in the same set and event instance. It is the same as `shared_delta_time`, in other units. Sending either restarts the counter that both share, so use only one of them."
     seq:
       - id: dt_nanos
         type: u8
@@ -13366,7 +13366,7 @@ enums:
       doc: Nanoseconds of the time beacon.
     3:
       id: internal_ticks
-      doc: Ticks of the internal clock.
+      doc: "Ticks of the internal clock. Uncertain: The source states 2 both for this value and for the nanoseconds."
   mip_3dm_odometer_mode:
     0:
       id: disabled
@@ -13506,7 +13506,7 @@ enums:
     1:
       id: none_value
       -orig-id: none
-      doc: No source.
+      doc: "No source. Uncertain: No source states what the device does without a declination."
     2:
       id: wmm
       doc: The World Magnetic Model, at the estimated position.
@@ -13669,10 +13669,10 @@ enums:
       doc: Restarts all software of the receiver.
     3:
       id: warm
-      doc: Restarts the positioning engine only.
+      doc: "Restarts the positioning engine only. Uncertain: An earlier branch of the SDK calls 3 hot and 4 warm, with the same descriptions of the two numbers. GNSS receivers usually keep their satellite data in a hot start and lose it in a warm one."
     4:
       id: hot
-      doc: Restarts the positioning engine and clears its ephemerides and almanacs.
+      doc: "Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: An earlier branch of the SDK swaps this name with that of 3."
   gnss_ambiguity_fix_mode:
     1:
       id: "off"
@@ -13967,7 +13967,7 @@ enums:
       doc: Aircraft.
     4:
       id: airborne_high_g
-      doc: Aircraft with high acceleration.
+      doc: "Aircraft with high acceleration. Uncertain: The manual of the 3DM-GX5-15 lists 1 to 3; `filter_vehicle_dynamics_mode` sets 4, too."
   filter_data_cv7_dynamics_mode:
     1:
       id: default_value

@@ -198,7 +198,7 @@ E["comm_interface"] = { [0] = "all", [1] = "main", [17] = "uart_1", [18] = "uart
 F["rtk_status_flags"] = {
   { name = "modem_state", at = 0, size = 4, mask = 15, shift = 0, width = 4, doc = "State of the modem." },
   { name = "connection_type", at = 0, size = 4, mask = 240, shift = 4, width = 4, doc = "Kind of cellular connection." },
-  { name = "rssi", at = 0, size = 4, mask = 65280, shift = 8, width = 8, doc = "Received signal strength." },
+  { name = "rssi", at = 0, size = 4, mask = 65280, shift = 8, width = 8, doc = "Received signal strength. Uncertain: No source states the unit and the sign; other software of the vendor treats it as negative." },
   { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Quality of the modem's radio signal." },
   { name = "tower_change_indicator", at = 0, size = 4, mask = 15728640, shift = 20, width = 4, doc = "Cell tower changes." },
   { name = "nmea_timeout", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "No NMEA was received from the device in time." },
@@ -740,12 +740,12 @@ S["event_trigger_gpio"] = {
   { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_gpio_mode"], doc = "Condition of the pin that activates the trigger." },
 }
 S["event_threshold_window"] = {
-  { kind = "scalar", name = "low_threshold", type = "double", size = 8, doc = "Lower threshold, in the unit of the watched value." },
-  { kind = "scalar", name = "high_threshold", type = "double", size = 8, doc = "Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded." },
+  { kind = "scalar", name = "low_threshold", type = "double", size = 8, doc = "Lower threshold, in the unit of the watched value. The SDK calls it the first threshold." },
+  { kind = "scalar", name = "high_threshold", type = "double", size = 8, doc = "Upper threshold, in the unit of the watched value. The trigger is active from the lower threshold to the upper one, both included. If the upper one is below the lower one, it is active below the upper and above the lower one, both excluded. The SDK calls it the second threshold." },
 }
 S["event_threshold_interval"] = {
-  { kind = "scalar", name = "interval_threshold", type = "double", size = 8, doc = "The trigger is active while the remainder is at most this, in the unit of the watched value." },
-  { kind = "scalar", name = "interval", type = "double", size = 8, doc = "Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the two swap roles: the trigger is active while the value modulo `interval_threshold` is above this." },
+  { kind = "scalar", name = "interval_threshold", type = "double", size = 8, doc = "The trigger is active while the remainder is at most this, in the unit of the watched value. The SDK calls it the first threshold." },
+  { kind = "scalar", name = "interval", type = "double", size = 8, doc = "Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the two swap roles: the trigger is active while the value modulo `interval_threshold` is above this. The SDK calls it the second threshold." },
 }
 S["event_trigger_threshold"] = {
   { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the watched value." },
@@ -758,7 +758,7 @@ S["event_trigger_threshold"] = {
 }
 S["event_trigger_combination"] = {
   { kind = "scalar", name = "logic_table", type = "u16", size = 2, doc = "Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the four inputs." },
-  { kind = "array", name = "input_triggers", count = 4, capacity = 4, size = 1, doc = "Trigger instances for the inputs a to d; 0 is always inactive.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+  { kind = "array", name = "input_triggers", count = 4, capacity = 4, size = 1, doc = "Trigger instances for the inputs a to d; 0 is always inactive. An input may be the trigger itself; its value is then the output of the previous event cycle.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
 }
 S["event_action_gpio"] = {
   { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
@@ -866,12 +866,12 @@ local function field(f, places)
   end
 end
 field({ descriptor = 0x01, name = "base.ping", role = "command", title = "Ping",
-    doc = "Checks whether a device is present and replies to commands.", least = 0,
+    doc = "Checks whether a device is present and replies to commands. A device that is not in a normal operating mode may reject the command.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.ping", title = "Ping" }, })
 field({ descriptor = 0x02, name = "base.set_idle", role = "command", title = "Set to idle",
-    doc = "Stops all data streams, and wakes a sleeping device, so that it can be configured.", least = 0,
+    doc = "Stops all data streams, and wakes a sleeping device, so that it can be configured. base.resume restores the previous mode. While idle, the device does not send NMEA sentences either.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.set_idle", title = "Set to idle" }, })
@@ -881,33 +881,33 @@ field({ descriptor = 0x03, name = "base.get_device_info", role = "command", titl
     rows = {
     } }, { { set = 0x01, name = "base.get_device_info", title = "Get device information" }, })
 field({ descriptor = 0x04, name = "base.get_device_descriptors", role = "command", title = "Get device descriptors",
-    doc = "Gets the command and data descriptors that the device supports.", least = 0,
+    doc = "Gets the command and data descriptors that the device supports. If the list contains the descriptor of base.get_extended_descriptors, that command returns further descriptors.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.get_device_descriptors", title = "Get device descriptors" }, })
 field({ descriptor = 0x05, name = "base.built_in_test", role = "command", title = "Built-in test",
-    doc = "Runs the self test of the device and gets its result.", least = 0,
+    doc = "Runs the self test of the device and gets its result. The test interrupts normal operation for up to several seconds; no data is available meanwhile. The device must be at rest; acceleration, rotation or vibration cause false failures. The continuous built-in test, if the device has it, describes a failure in more detail. Uncertain: The maximum duration of 10 s is assumed; the manual of the 3DM-CV7 states several seconds.", least = 0,
     always = 0,
     timeout = 10.0,
     rows = {
     } }, { { set = 0x01, name = "base.built_in_test", title = "Built-in test" }, })
 field({ descriptor = 0x06, name = "base.resume", role = "command", title = "Resume",
-    doc = "Ends idle mode and returns the device to the mode that it was in before.", least = 0,
+    doc = "Ends idle mode and returns the device to the mode that it was in before. If the device was not idle, it enters its default mode (3DM-GX5-15).", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.resume", title = "Resume" }, })
 field({ descriptor = 0x07, name = "base.get_extended_descriptors", role = "command", title = "Get device descriptors (extended)",
-    doc = "Gets the supported descriptors that did not fit into the reply of base.get_device_descriptors.", least = 0,
+    doc = "Gets the supported descriptors that did not fit into the reply of base.get_device_descriptors. Some devices lack this command; base.get_device_descriptors lists it if the device has it.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.get_extended_descriptors", title = "Get device descriptors (extended)" }, })
 field({ descriptor = 0x08, name = "base.continuous_built_in_test", role = "command", title = "Continuous built-in test",
-    doc = "Gets the flags of the tests that run all the time. It does not interrupt operation.", least = 0,
+    doc = "Gets the flags of the tests that run all the time. It does not interrupt operation. It is less thorough than base.built_in_test. Each flag stays set until this command reports it; the streamed field has its own copy of the flags. The self-test flags change only when base.built_in_test runs.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.continuous_built_in_test", title = "Continuous built-in test" }, })
 field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "Comm port speed",
-    doc = "Sets the baud rate of one communication port.", least = 1,
+    doc = "Sets the baud rate of one communication port. The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while the device is idle, and wait 250 ms before you continue. Commands and data during the change may be lost, or sent at either rate.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -915,7 +915,7 @@ field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd." }, } },
     } }, { { set = 0x01, name = "base.comm_speed", title = "Comm port speed" }, })
 field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
-    doc = "Sets the week number or the time of week of the external (GPS) time.", least = 1,
+    doc = "Sets the week number or the time of week of the external (GPS) time. Send it once for the time of week and once for the week number after the PPS is locked. On the 3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example the Unix epoch; shared.external_timestamp then has the same epoch. The PPS supplies the fraction of the second; send the whole second that began at its last edge. Send it within 250 ms after the rising edge of the PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once. Send it again after a PPS glitch. It is usually not needed if an internal GNSS receiver is the PPS source.", least = 1,
     required = { [1] = 2, [2] = 1, [6] = 2, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -977,7 +977,7 @@ field({ descriptor = 0x89, name = "base.comm_speed_response", role = "response",
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     } }, { { set = 0x01, name = "base.comm_speed_response", title = "Comm port speed response" }, })
 field({ descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU data",
-    doc = "Requests one sensor data packet (0x80) with the listed fields, in the listed order.", least = 2,
+    doc = "Requests one sensor data packet (0x80) with the listed fields, in the listed order. An empty list polls the fields that 3dm.imu_message_format stores; if nothing is stored, the device rejects the command. Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = {
@@ -986,16 +986,16 @@ field({ descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title =
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     } }, { { set = 0x0C, name = "3dm.poll_imu_data", title = "Poll IMU data" }, })
 field({ descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS data",
-    doc = "Requests one GNSS data packet with the listed fields, in the listed order.", least = 2,
+    doc = "Requests one GNSS data packet with the listed fields, in the listed order. An empty list polls the format stored by 3dm.gnss_message_format; if none is stored, the device rejects the command. Descriptors that the device does not know are omitted. The data is sent in a separate packet after the reply.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = {
       { kind = "scalar", name = "suppress_ack", type = "bool", size = 1, doc = "Send no acknowledge." },
       { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 83." },
-      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
+      { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the reserved number and does not document how a poll uses it.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     } }, { { set = 0x0C, name = "3dm.poll_gnss_data", title = "Poll GNSS data" }, })
 field({ descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll estimation filter data",
-    doc = "Requests one filter data packet (0x82) with the listed fields, in the listed order.", least = 2,
+    doc = "Requests one filter data packet (0x82) with the listed fields, in the listed order. An empty list polls the fields that 3dm.filter_message_format stores; if none are, the device rejects the command. Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = {
@@ -1004,7 +1004,7 @@ field({ descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", titl
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     } }, { { set = 0x0C, name = "3dm.poll_filter_data", title = "Poll estimation filter data" }, })
 field({ descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA data",
-    doc = "Requests the listed NMEA sentences once.", least = 2,
+    doc = "Requests the listed NMEA sentences once. An empty list polls the stored NMEA format; if none is stored, the device rejects the command. The sentences follow the reply as ordinary NMEA text, on the port of the command, even if NMEA is disabled there. A sentence is sent only if its data is valid.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = {
@@ -1023,21 +1023,21 @@ field({ descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", ti
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate", title = "Get GNSS data base rate" }, })
 field({ descriptor = 0x08, name = "3dm.imu_message_format", role = "command", title = "IMU message format",
-    doc = "Sets the fields of the sensor data packets (0x80), their order and their decimations.", least = 1,
+    doc = "Sets the fields of the sensor data packets (0x80), their order and their decimations. The decimation is the base rate, as 3dm.get_imu_base_rate reports it, divided by the desired rate. The list replaces the previous one. If any descriptor is unknown, the device rejects the command and changes nothing.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Sensor data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.imu_message_format", title = "IMU message format" }, })
 field({ descriptor = 0x09, name = "3dm.gnss_message_format", role = "command", title = "GNSS message format",
-    doc = "Sets the fields of the GNSS data packets, their order and their decimations.", least = 1,
+    doc = "Sets the fields of the GNSS data packets, their order and their decimations. The decimation is the base rate, as 3dm.get_gnss_base_rate reports it, divided by the desired rate.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields. Range: 0 to 82." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of GNSS data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_message_format", title = "GNSS message format" }, })
 field({ descriptor = 0x0A, name = "3dm.filter_message_format", role = "command", title = "Estimation filter message format",
-    doc = "Sets the fields of the filter data packets (0x82), their order and their decimations.", least = 1,
+    doc = "Sets the fields of the filter data packets (0x82), their order and their decimations. The decimation is the base rate, as 3dm.get_filter_base_rate reports it, divided by the desired rate. The list replaces the previous one. If any descriptor is unknown, the device rejects the command and changes nothing.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1049,14 +1049,14 @@ field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", 
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_filter_base_rate", title = "Get estimation filter data base rate" }, })
 field({ descriptor = 0x0C, name = "3dm.nmea_message_format", role = "command", title = "NMEA message format",
-    doc = "Sets the NMEA sentences that the device streams.", least = 1,
+    doc = "Sets the NMEA sentences that the device streams. A sentence may be listed several times with different talkers or sources. A sentence is sent only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS rejects the format if a sentence would be sent more than 10 times per second, or, from a GNSS set, more than twice.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." }, { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } }, } },
     } }, { { set = 0x0C, name = "3dm.nmea_message_format", title = "NMEA message format" }, })
 field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll data",
-    doc = "Requests one data packet of the descriptor set with the listed fields, in the listed order.", least = 3,
+    doc = "Requests one data packet of the descriptor set with the listed fields, in the listed order. An empty list polls the fields that 3dm.message_format stores; if nothing is stored, the device rejects the command. Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply, on the port of the command. List shared descriptors (0xD0 and up) before the others.", least = 3,
     always = 4,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = {
@@ -1072,7 +1072,7 @@ field({ descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title =
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
     } }, { { set = 0x0C, name = "3dm.get_base_rate", title = "Get data base rate" }, })
 field({ descriptor = 0x0F, name = "3dm.message_format", role = "command", title = "Message format",
-    doc = "Sets the fields of the data packets of a descriptor set, their order and their decimations.", least = 1,
+    doc = "Sets the fields of the data packets of a descriptor set, their order and their decimations. The decimation is the base rate, as 3dm.get_base_rate reports it, divided by the desired rate. List shared descriptors (0xD0 and up) under the set whose packets will contain them, before the others.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1087,21 +1087,21 @@ field({ descriptor = 0x10, name = "3dm.factory_streaming", role = "command", tit
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." },
     } }, { { set = 0x0C, name = "3dm.factory_streaming", title = "Factory streaming" }, })
 field({ descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data stream control",
-    doc = "Switches a data stream on or off.", least = 1,
+    doc = "Switches a data stream on or off. Devices of the generations 3 to 5 identify the stream by a number (legacy_data_stream), other devices by its descriptor set. A newly enabled stream starts with current data, without any from before.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of legacy_data_stream; only all_streams, imu and filter. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the stream is sent. Default: true." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the stream is sent. Default: true. The stream starts with current data. What was measured while it was disabled is not sent." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_control", title = "Data stream control" }, })
 field({ descriptor = 0x20, name = "3dm.raw_rtcm_2_3_message", role = "command", title = "Raw RTCM 2.3 message",
-    doc = "Sends RTCM 2.3 corrections to the GNSS receiver.", least = 0,
+    doc = "Sends RTCM 2.3 corrections to the GNSS receiver. The receiver uses the RTCM messages 1, 2, 3 and 9. A message may be split at any byte and sent with several of these commands.", least = 0,
     always = 1,
     rows = {
       { kind = "array", name = "data", capacity = 253, size = 1, doc = "Bytes of the RTCM stream.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.raw_rtcm_2_3_message", title = "Raw RTCM 2.3 message" }, })
 field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command", title = "Constellation settings",
-    doc = "Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.", least = 1,
+    doc = "Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels. The device rejects entries that reserve more than 32 channels in total. The maximum of an entry must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used together. If the antenna or its filter is made for GPS only, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device suitable for safety-of-life use. Factory default: GPS and GLONASS are enabled. Reserved and maximum channels: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3. Uncertain: The factory default is doubtful: the SDK names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS too.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1118,7 +1118,7 @@ field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", ti
       { kind = "group", first = 3, last = 4, body = { { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." }, { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings", title = "GNSS SBAS settings" }, })
 field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS assisted fix",
-    doc = "Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.", least = 1,
+    doc = "Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up. The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with 3dm.gnss_time_assistance right after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures. It slightly increases the power consumption.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1126,7 +1126,7 @@ field({ descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", tit
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved: send 255. On the 3DM-GX5-35: default 255." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_assisted_fix", title = "GNSS assisted fix" }, })
 field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS time assistance",
-    doc = "Sends the current GPS time to the GNSS receiver.", least = 1,
+    doc = "Sends the current GPS time to the GNSS receiver. It is needed right after power-up if 3dm.gnss_assisted_fix was on at power-off.", least = 1,
     required = { [1] = 3, [2] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1135,7 +1135,7 @@ field({ descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", 
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "accuracy", type = "float", size = 4, units = {"s", }, doc = "Estimated accuracy of the time that is sent. Unit: s. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_time_assistance", title = "GNSS time assistance" }, })
 field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", title = "PPS source control",
-    doc = "Selects the source of the pulse per second (PPS).", least = 1,
+    doc = "Selects the source of the pulse per second (PPS). The pins are configured separately, by 3dm.gpio_config. The filter needs a valid pulse; `disabled` and `generated` are rarely useful.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1148,7 +1148,7 @@ field({ descriptor = 0x2A, name = "3dm.get_event_support", role = "command", tit
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Triggers or actions." },
     } }, { { set = 0x0C, name = "3dm.get_event_support", title = "Get supported events" }, })
 field({ descriptor = 0x2B, name = "3dm.event_control", role = "command", title = "Event control",
-    doc = "Enables, disables or tests an event trigger.", least = 1,
+    doc = "Enables, disables or tests an event trigger. Triggers are disabled by default and after configuration. A trigger of type none cannot be enabled.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1170,7 +1170,7 @@ field({ descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Numbers of the actions to report; none for all.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.get_event_action_status", title = "Get event action status" }, })
 field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event trigger configuration",
-    doc = "Configures the kind and the condition of an event trigger.", least = 1,
+    doc = "Configures the kind and the condition of an event trigger. The trigger is disabled afterwards; 3dm.event_control enables it. A GPIO trigger needs its pin configured by 3dm.gpio_config.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1183,7 +1183,7 @@ field({ descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", 
       [3] = { label = "combination", item = { kind = "struct", name = "combination", record = S["event_trigger_combination"], doc = "" } }, } }, } },
     } }, { { set = 0x0C, name = "3dm.event_trigger_config", title = "Event trigger configuration" }, })
 field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", title = "Event action configuration",
-    doc = "Configures the trigger and the effect of an event action.", least = 1,
+    doc = "Configures the trigger and the effect of an event action. A packet holds one descriptor set; for several sets use several actions with the same trigger. A GPIO action needs its pin configured as an output with the gpio feature. In each event cycle, the device updates all triggers first and then runs each action at most once. The rate of the cycle is the base rate of the system data.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1196,14 +1196,14 @@ field({ descriptor = 0x2F, name = "3dm.event_action_config", role = "command", t
       [2] = { label = "message", item = { kind = "struct", name = "message", record = S["event_action_message"], doc = "" } }, } }, } },
     } }, { { set = 0x0C, name = "3dm.event_action_config", title = "Event action configuration" }, })
 field({ descriptor = 0x30, name = "3dm.device_settings", role = "command", title = "Device start up settings",
-    doc = "Saves, loads or resets all settings of the device at once.", least = 1,
+    doc = "Saves, loads or resets all settings of the device at once. A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.", least = 1,
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     timeout = 2.0,
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0C, name = "3dm.device_settings", title = "Device start up settings" }, })
 field({ descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role = "command", title = "Sensor-to-vehicle frame transformation Euler",
-    doc = "Sets the mounting of the sensor in the vehicle as Euler angles.", least = 1,
+    doc = "Sets the mounting of the sensor in the vehicle as Euler angles. 3dm.sensor_to_vehicle_transform_quaternion and 3dm.sensor_to_vehicle_transform_dcm set the same transformation; the value read back may be another form of it. Starting aligned with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` Every change resets the complementary filter, the estimation filter and all low-pass filters. On some older devices the setting is the inverse rotation.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1212,28 +1212,28 @@ field({ descriptor = 0x31, name = "3dm.sensor_to_vehicle_transform_euler", role 
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle of the sensor relative to the vehicle. Unit: rad. Frame: vehicle. Positive: clockwise seen from above." }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_euler", title = "Sensor-to-vehicle frame transformation Euler" }, })
 field({ descriptor = 0x32, name = "3dm.sensor_to_vehicle_transform_quaternion", role = "command", title = "Sensor-to-vehicle frame transformation quaternion",
-    doc = "Sets the mounting of the sensor in the vehicle as a quaternion.", least = 1,
+    doc = "Sets the mounting of the sensor in the vehicle as a quaternion. 3dm.sensor_to_vehicle_transform_euler and 3dm.sensor_to_vehicle_transform_dcm set the same transformation; the value read back may be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This is the inverse of the quaternion that filter.sensor_to_vehicle_rotation_quaternion accepts. Every change resets the complementary filter, the estimation filter and all low-pass filters.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the sensor frame; unit quaternion, w first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_quaternion", title = "Sensor-to-vehicle frame transformation quaternion" }, })
 field({ descriptor = 0x33, name = "3dm.sensor_to_vehicle_transform_dcm", role = "command", title = "Sensor-to-vehicle frame transformation direction cosine matrix",
-    doc = "Sets the mounting of the sensor in the vehicle as a direction cosine matrix.", least = 1,
+    doc = "Sets the mounting of the sensor in the vehicle as a direction cosine matrix. 3dm.sensor_to_vehicle_transform_euler and 3dm.sensor_to_vehicle_transform_quaternion set the same transformation; the value read back may be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that filter.sensor_to_vehicle_rotation_dcm accepts. Every change resets the complementary filter, the estimation filter and all low-pass filters.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the sensor frame into the vehicle frame; row-major. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.sensor_to_vehicle_transform_dcm", title = "Sensor-to-vehicle frame transformation direction cosine matrix" }, })
 field({ descriptor = 0x34, name = "3dm.gps_dynamics_mode", role = "command", title = "GPS dynamics mode",
-    doc = "Sets the dynamics that the GNSS receiver assumes of the vehicle.", least = 1,
+    doc = "Sets the dynamics that the GNSS receiver assumes of the vehicle. No device is known for certain to support it. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.receiver_dynamics"], doc = "Assumed dynamics." }, } },
     } }, { { set = 0x0C, name = "3dm.gps_dynamics_mode", title = "GPS dynamics mode" }, })
 field({ descriptor = 0x35, name = "3dm.imu_signal_conditioning", role = "command", title = "IMU signal conditioning",
-    doc = "Configures the filters and the orientation algorithm of 3-series devices.", least = 1,
+    doc = "Configures the filters and the orientation algorithm of 3-series devices. No device is known for certain to support it. The filters are moving averages; the first zero of their response is at 1000 Hz divided by the width. Uncertain: The ranges, the defaults and some of the flags are those of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: MSCL reads the response without `reserved`, so some devices may not send it.", least = 1,
     required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1247,7 +1247,7 @@ field({ descriptor = 0x35, name = "3dm.imu_signal_conditioning", role = "command
       { kind = "group", first = 8, last = 8, body = { { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved: send 0." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning", title = "IMU signal conditioning" }, })
 field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title = "IMU timestamp",
-    doc = "Sets or reads a time counter of the sensor data.", least = 1,
+    doc = "Sets or reads a time counter of the sensor data. No device is known for certain to support it. Uncertain: No source lists the devices that support it; the SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: A read is assumed to omit `time`, which the device would ignore.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1269,21 +1269,21 @@ field({ descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title = "Gy
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Bias that the device subtracts from the measured angular rate. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.gyro_bias", title = "Gyroscope bias configuration" }, })
 field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture gyroscope bias",
-    doc = "Averages the angular rate of the device at rest and uses the result as the gyroscope bias.", least = 2,
+    doc = "Averages the angular rate of the device at rest and uses the result as the gyroscope bias. The device must be at rest, with as little vibration as possible, for the whole time. The reply arrives after the averaging time. The bias is not saved; to save it, send 3dm.gyro_bias with save. The 3DM-GX5-15 also initializes its orientation from the samples.", least = 2,
     always = 1,
     timeout = 31.0,
     rows = {
       { kind = "scalar", name = "averaging_time_ms", type = "u16", size = 2, units = {"ms", }, doc = "Time to average over. Unit: ms. Range: 1000 to 30000." },
     } }, { { set = 0x0C, name = "3dm.capture_gyro_bias", title = "Capture gyroscope bias" }, })
 field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer hard iron offset",
-    doc = "Sets the offset that corrects the scaled magnetic field for hard iron.", least = 1,
+    doc = "Sets the offset that corrects the scaled magnetic field for hard iron. The values come from a calibration of the device as it is installed. On some devices, filter.mag_capture_auto_calibration captures them from the filter's automatic calibration. The device applies the correction before it sends sensor.scaled_mag.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer hard iron offset" }, })
 field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer soft iron matrix",
-    doc = "Sets the matrix that corrects the scaled magnetic field for soft iron.", least = 1,
+    doc = "Sets the matrix that corrects the scaled magnetic field for soft iron. The values come from a calibration of the device as it is installed. On some devices, filter.mag_capture_auto_calibration captures them from the filter's automatic calibration. The device applies the correction before it sends sensor.scaled_mag.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1297,14 +1297,14 @@ field({ descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command"
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the compensation is on. Default: true." }, } },
     } }, { { set = 0x0C, name = "3dm.coning_sculling_enable", title = "Coning and sculling enable" }, })
 field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title = "UART baud rate",
-    doc = "Sets the baud rate of the main port.", least = 1,
+    doc = "Sets the baud rate of the main port. The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The 3DM-CV7 applies the rate when the port is empty, after at most 250 ms; until then, commands and data may be lost. Set the device to idle first, send the command in a separate packet, and wait 250 ms afterwards.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART baud rate" }, })
 field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO configuration",
-    doc = "Sets the use of a GPIO pin.", least = 1,
+    doc = "Sets the use of a GPIO pin. Not every pin has every feature. For an output with a feature other than gpio, configure the function that drives it before the pin; otherwise, the level of the pin is undefined in the meantime. For an input, configure the pin before the function that uses it. If only one pin can have a configuration, the last pin configured gets it, and the earlier pin is reset. With NMEA input at most one pin may be a UART input; set it to unused before another one takes over.", least = 1,
     required = { [1] = 4, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1314,7 +1314,7 @@ field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." }, } },
     } }, { { set = 0x0C, name = "3dm.gpio_config", title = "GPIO configuration" }, })
 field({ descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "GPIO state",
-    doc = "Sets or reads the state of a GPIO pin.", least = 1,
+    doc = "Sets or reads the state of a GPIO pin. A read returns the level of the pin itself. A write has an effect only on a pin that is configured as an output. An event action of mode `active_high` or `active_low` on the pin overrides the written state. Reading is guaranteed to work only with the gpio feature. 3dm.gpio_config determines the state at power-up.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1327,11 +1327,11 @@ field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m. Pulses on line A per turn of the wheel, divided by the circumference of the wheel." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer configuration" }, })
 field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced low-pass filter settings",
-    doc = "Configures the low-pass filter of one sensor data quantity.", least = 1,
+    doc = "Configures the low-pass filter of one sensor data quantity. The filter has one pole. By default it is on and its cutoff is half the rate of the message format.", least = 1,
     required = { [1] = 5, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1342,7 +1342,7 @@ field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", t
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_low_pass_filter", title = "Advanced low-pass filter settings" }, })
 field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary filter configuration",
-    doc = "Configures the complementary filter, which computes the attitude independently of the estimation filter.", least = 1,
+    doc = "Configures the complementary filter, which computes the attitude independently of the estimation filter. Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero. The heading follows the magnetometer, if the device has one. The device rejects time constants out of range. The attitude of the estimation filter is better; the 3DM-GX5-15 keeps this filter for compatibility.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1352,7 +1352,7 @@ field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", 
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
     } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary filter configuration" }, })
 field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor range",
-    doc = "Sets the measuring range of a sensor.", least = 1,
+    doc = "Sets the measuring range of a sensor. 3dm.get_calibrated_sensor_ranges lists the settings. The device may reject other settings, or measure incorrectly with them.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1366,7 +1366,7 @@ field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "co
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor to query; `all` is not allowed. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only all, accel, gyro and pressure." },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges", title = "Get calibrated sensor ranges" }, })
 field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-pass anti-aliasing filter",
-    doc = "Configures the low-pass filter of a data field.", least = 1,
+    doc = "Configures the low-pass filter of a data field. Except for read, a field descriptor of 0 means all fields of the set; if both are 0, all sets are meant.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1377,7 +1377,7 @@ field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter", title = "Low-pass anti-aliasing filter" }, })
 field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", title = "Data stream format",
-    doc = "Selects MIP data or the raw data of a sensor for a stream.", least = 1,
+    doc = "Selects MIP data or the raw data of a sensor for a stream. No device is known for certain to support it. In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver. Uncertain: A comment in the SDK of 2014 restricts it to the 3DM-GX3-35; no other source lists devices. Uncertain: Functions other than write are assumed not to require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of `format`.", least = 1,
     required = { [1] = 2, [2] = 2, [3] = 2, [4] = 2, [5] = 2, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1385,7 +1385,7 @@ field({ descriptor = 0x60, name = "3dm.data_stream_format", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Format of a data stream." }, } },
     } }, { { set = 0x0C, name = "3dm.data_stream_format", title = "Data stream format" }, })
 field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", title = "Device power state",
-    doc = "Sets the power state of an internal sensor.", least = 1,
+    doc = "Sets the power state of an internal sensor. No device is known for certain to support it. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35; no other source lists devices. Uncertain: The time-out of 5 s is assumed; the SDK of 2014 uses one that is longer than usual. Uncertain: Functions other than write are assumed not to require `state`. The SDK of 2014 sends `device` with every function, and a 0 in place of `state`.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     timeout = 5.0,
     rows = {
@@ -1394,13 +1394,13 @@ field({ descriptor = 0x61, name = "3dm.device_power_state", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "u8", size = 1, enum = E["3dm.sensor_power_state"], doc = "Power state of an internal sensor." }, } },
     } }, { { set = 0x0C, name = "3dm.device_power_state", title = "Device power state" }, })
 field({ descriptor = 0x62, name = "3dm.gps_advanced_settings", role = "command", title = "GPS advanced settings",
-    doc = "Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.", least = 1,
+    doc = "Saves, loads or resets the settings of the GNSS receiver that were made in direct mode. No device is known for certain to support it. In direct mode, your program configures the u-blox receiver with its own protocol; see system.comm_mode. Uncertain: A comment in the SDK of 2014 names the 3DM-GX3-35; no other source lists devices.", least = 1,
     required = { [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0C, name = "3dm.gps_advanced_settings", title = "GPS advanced settings" }, })
 field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device status",
-    doc = "Gets the state of the device, in basic form or with counters.", least = 3,
+    doc = "Gets the state of the device, in basic form or with counters. The device expects its own model number, which base.get_device_info returns. Device families reply in different layouts. The selector and the length distinguish them.", least = 3,
     always = 2,
     rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
@@ -1447,7 +1447,7 @@ field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "re
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "True if the stream is sent." },
     } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data stream control response" }, })
 field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role = "response", title = "IMU signal conditioning response",
-    doc = "", least = 13,
+    doc = "No device is known for certain to support it.", least = 13,
     always = 8,
     rows = {
       { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." },
@@ -1466,14 +1466,14 @@ field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "respons
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART baud rate response" }, })
 field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "response", title = "Data stream format response",
-    doc = "", least = 2,
+    doc = "No device is known for certain to support it.", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "stream", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "Stream whose format is set or read." },
       { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["3dm.stream_format"], doc = "Format of a data stream." },
     } }, { { set = 0x0C, name = "3dm.data_stream_format_response", title = "Data stream format response" }, })
 field({ descriptor = 0x89, name = "3dm.device_power_state_response", role = "response", title = "Device power state response",
-    doc = "", least = 2,
+    doc = "No device is known for certain to support it.", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "device", type = "u8", size = 1, enum = E["3dm.internal_sensor"], doc = "The sensor." },
@@ -1518,7 +1518,7 @@ field({ descriptor = 0x8F, name = "3dm.message_format_response", role = "respons
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of descriptor_set.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } },
     } }, { { set = 0x0C, name = "3dm.message_format_response", title = "Message format response" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_rq1_imu_response", role = "response", title = "Basic device status (inertial sensor of the 3DM-RQ1-45)",
-    doc = "Timer only, in microseconds.", least = 15,
+    doc = "Timer only, in microseconds. No device is known for certain to support it. Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the descriptions are inferred from the names.", least = 15,
     always = 4,
     constants = { { at = 0, value = "\24\94" }, { at = 2, value = "\1" }, },
     rows = {
@@ -1539,7 +1539,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "re
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_response", title = "Basic device status" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic device status (without state)",
-    doc = "Timer only.", least = 11,
+    doc = "Timer only. No device is known for certain to support it. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of another device; MSCL uses the layout with a state for that device.", least = 11,
     always = 4,
     constants = { { at = 2, value = "\1" }, },
     rows = {
@@ -1571,7 +1571,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_response", title = "Diagnostic device status" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic device status (with GNSS)",
-    doc = "State, timer, and the counters of pulses, streams, port and receiver.", least = 77,
+    doc = "State, timer, and the counters of pulses, streams, port and receiver. Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer.", least = 77,
     always = 24,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1601,7 +1601,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gnss_response", title = "Diagnostic device status (with GNSS)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic device status (3DM-GQ4-45)",
-    doc = "The layout with GNSS, plus flags for parts that could not be started.", least = 80,
+    doc = "The layout with GNSS, plus flags for parts that could not be started. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer.", least = 80,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1634,7 +1634,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "True if the GNSS receiver could not be started." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gq4_45_response", title = "Diagnostic device status (3DM-GQ4-45)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic device status (3DM-RQ1-45)",
-    doc = "The layout with GNSS, plus the temperature.", least = 86,
+    doc = "The layout with GNSS, plus the temperature. Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer.", least = 86,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1645,7 +1645,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
       { kind = "scalar", name = "cold_start_on_power_on", type = "u8", size = 1, doc = "True if the receiver starts cold at power-up." },
-      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC. Uncertain: The unit is inferred." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
@@ -1667,7 +1667,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_45_response", title = "Diagnostic device status (3DM-RQ1-45)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic device status (3DM-GX4-15, 3DM-GX4-25)",
-    doc = "Timer, and counters of pulses, streams, port and USB.", least = 73,
+    doc = "Timer, and counters of pulses, streams, port and USB. No device is known for certain to support it. Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer.", least = 73,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1694,7 +1694,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", r
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_response", title = "Diagnostic device status (3DM-GX4-15, 3DM-GX4-25)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic device status (IMU)",
-    doc = "Timer, available sensors, temperature, and the counters of pulses, stream and port.", least = 60,
+    doc = "Timer, available sensors, temperature, and the counters of pulses, stream and port. No device is known for certain to support it. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.", least = 60,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1708,7 +1708,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest measurable angular rate." },
       { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest measurable acceleration." },
       { kind = "scalar", name = "reserved", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC. Uncertain: The unit is inferred." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
@@ -1721,7 +1721,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_imu_response", title = "Diagnostic device status (IMU)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response", role = "response", title = "Diagnostic device status (inertial sensor of the 3DM-GX4-45)",
-    doc = "Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.", least = 62,
+    doc = "Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port. No device is known for certain to support it. Uncertain: The SDK of 2014 lists the names of the values and the units of temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges are not known.", least = 62,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1735,7 +1735,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "scalar", name = "accel_range", type = "u8", size = 1, doc = "Largest measurable acceleration." },
       { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest measurable magnetic field." },
       { kind = "scalar", name = "pressure_range", type = "float", size = 4, doc = "Largest measurable pressure." },
-      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC. Uncertain: The unit is inferred." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement; 0 is normal." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
@@ -1748,7 +1748,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_imu_response", title = "Diagnostic device status (inertial sensor of the 3DM-GX4-45)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response", role = "response", title = "Diagnostic device status (inertial sensor of the 3DM-RQ1-45)",
-    doc = "Timer, temperature and supply, and the counters of pulses, stream and port.", least = 61,
+    doc = "Timer, temperature and supply, and the counters of pulses, stream and port. No device is known for certain to support it. Uncertain: The SDK of 2014 lists the names of the values and the units of temperature and times; the descriptions are inferred from the names.", least = 61,
     always = 19,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1756,7 +1756,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u64", size = 8, units = {"us", }, doc = "Time since start-up. Unit: us." },
-      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC. Uncertain: The unit is inferred." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "bad_temperature_sensor_detected", type = "bool", size = 1, doc = "True if a temperature sensor is faulty." },
       { kind = "scalar", name = "cold_temperature_detected", type = "bool", size = 1, doc = "True if the temperature is too low." },
@@ -1773,7 +1773,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_imu_response", title = "Diagnostic device status (inertial sensor of the 3DM-RQ1-45)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role = "response", title = "Basic device status (3DM-GX3-35, 3DM-GX3-45)",
-    doc = "State of the port.", least = 15,
+    doc = "State of the port. No device is known for certain to support it. Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions are inferred from the names.", least = 15,
     always = 7,
     constants = { { at = 2, value = "\1" }, },
     rows = {
@@ -1786,7 +1786,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role =
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_gx3_response", title = "Basic device status (3DM-GX3-35, 3DM-GX3-45)" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", role = "response", title = "Diagnostic device status (3DM-GX3-35, 3DM-GX3-45)",
-    doc = "State of the port, and the counters of the port, USB, receiver and IMU.", least = 105,
+    doc = "State of the port, and the counters of the port, USB, receiver and IMU. No device is known for certain to support it. Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions are inferred from the names.", least = 105,
     always = 32,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1824,13 +1824,13 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
       { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "IMU messages that arrived late. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx3_response", title = "Diagnostic device status (3DM-GX3-35, 3DM-GX3-45)" }, })
 field({ descriptor = 0x92, name = "3dm.gps_dynamics_mode_response", role = "response", title = "GPS dynamics mode response",
-    doc = "", least = 1,
+    doc = "No device is known for certain to support it.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.receiver_dynamics"], doc = "Assumed dynamics." },
     } }, { { set = 0x0C, name = "3dm.gps_dynamics_mode_response", title = "GPS dynamics mode response" }, })
 field({ descriptor = 0x93, name = "3dm.imu_timestamp_response", role = "response", title = "IMU timestamp response",
-    doc = "", least = 5,
+    doc = "No device is known for certain to support it.", least = 5,
     always = 2,
     rows = {
       { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." },
@@ -2009,7 +2009,7 @@ field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "respon
     always = 3,
     rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." },
-      { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m." },
+      { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m. Pulses on line A per turn of the wheel, divided by the circumference of the wheel." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer configuration response" }, })
 field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor range response",
@@ -2038,12 +2038,12 @@ field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "respon
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff in use. Unit: Hz. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.low_pass_filter_response", title = "Low-pass anti-aliasing filter response" }, })
 field({ descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
-    doc = "Returns the filter to its initialization state.", least = 0,
+    doc = "Returns the filter to its initialization state. If automatic initialization is off, the attitude or heading must be set before the filter runs again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first detected.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0D, name = "filter.reset", title = "Reset navigation filter" }, })
 field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command", title = "Set initial attitude",
-    doc = "Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.", least = 12,
+    doc = "Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame. Accepted only in the initialization state.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: right side down." },
@@ -2051,19 +2051,19 @@ field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude", title = "Set initial attitude" }, })
 field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command", title = "Set initial heading",
-    doc = "Sets the initial heading of the filter. Pitch and roll come from the accelerometers.", least = 4,
+    doc = "Sets the initial heading of the filter. Pitch and roll come from the accelerometers. 3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the value of this command is ignored.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
 field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role = "command", title = "Set initial attitude from IMU",
-    doc = "Initializes the filter's attitude from the complementary filter.", least = 4,
+    doc = "Initializes the filter's attitude from the complementary filter. No device is known for certain to support it. Uncertain: The SDK calls it set initial heading from mag, without a layout; the SDK of 2014 has this layout in its example for the 3DM-GX3-45. Uncertain: No source lists the devices that support it.", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it." },
     } }, { { set = 0x0D, name = "filter.set_initial_attitude_from_imu", title = "Set initial attitude from IMU" }, })
 field({ descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
-    doc = "Starts a filter that is configured to wait for this command.", least = 0,
+    doc = "Starts a filter that is configured to wait for this command. The filter waits in its initialization state if `wait_for_run_command` of filter.initialization_config is set.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0D, name = "filter.run", title = "Run navigation filter" }, })
@@ -2075,7 +2075,7 @@ field({ descriptor = 0x10, name = "filter.vehicle_dynamics_mode", role = "comman
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["filter.dynamics_mode"], doc = "Kind of vehicle. On the 3DM-GX3-45: only portable, automotive and airborne." }, } },
     } }, { { set = 0x0D, name = "filter.vehicle_dynamics_mode", title = "Vehicle dynamics mode" }, })
 field({ descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", role = "command", title = "Sensor to vehicle frame transformation",
-    doc = "Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).", least = 1,
+    doc = "Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series). The 3DM-CV7 uses the inverse instead: 3dm.sensor_to_vehicle_transform_euler. `v_sensor = Rz(yaw) * Ry(pitch) * Rx(roll) * v_vehicle` Uncertain: The text of the manual lacks the formula; it is the inverse of that of 3dm.sensor_to_vehicle_transform_euler, which the 3DM-CV7 manual states.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2084,14 +2084,14 @@ field({ descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", rol
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle of the vehicle relative to the sensor. Unit: rad. Frame: sensor. Positive: clockwise seen from above." }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler", title = "Sensor to vehicle frame transformation" }, })
 field({ descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "command", title = "Sensor to vehicle offset",
-    doc = "Sets the origin of the vehicle frame relative to the sensor.", least = 1,
+    doc = "Sets the origin of the vehicle frame relative to the sensor. The shift is constant. It does not follow the attitude, as a lever arm would. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred from the name.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_offset", title = "Sensor to vehicle offset" }, })
 field({ descriptor = 0x13, name = "filter.antenna_offset", role = "command", title = "GNSS antenna offset",
-    doc = "Sets the position of the GNSS antenna relative to the origin of the sensor.", least = 1,
+    doc = "Sets the position of the GNSS antenna relative to the origin of the sensor. 5-series devices expect the sensor frame. On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands uses aiding.frame_config.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2105,14 +2105,14 @@ field({ descriptor = 0x14, name = "filter.estimation_control", role = "command",
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "flags", type = "u16", size = 2, flags = F["filter.estimated_states"], doc = "States to estimate. On the 3DM-CV5-15, 3DM-CX5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only gyro_bias. On the 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only gyro_bias, auto_hard_iron and auto_soft_iron. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset." }, } },
     } }, { { set = 0x0D, name = "filter.estimation_control", title = "Estimation control flags" }, })
 field({ descriptor = 0x15, name = "filter.gnss_source", role = "command", title = "GNSS aiding source",
-    doc = "Selects the GNSS receiver that aids the filter.", least = 1,
+    doc = "Selects the GNSS receiver that aids the filter. A change while the filter is running may return it to initialization until the new source provides data.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only external. On the 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only all_internal, external and internal_1. On the 3DM-GX5-45: only all_internal and external." }, } },
     } }, { { set = 0x0D, name = "filter.gnss_source", title = "GNSS aiding source" }, })
 field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
-    doc = "Sends one position and velocity measurement from your own GNSS receiver to the filter.", least = 70,
+    doc = "Sends one position and velocity measurement from your own GNSS receiver to the filter. The device rejects this command unless filter.gnss_source selects the external source. The maximum rate depends on the device.", least = 70,
     always = 8,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
@@ -2125,7 +2125,7 @@ field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: ned. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.external_gnss_update", title = "External GNSS update" }, })
 field({ descriptor = 0x17, name = "filter.external_heading_update", role = "command", title = "External heading update",
-    doc = "Sends one measurement of the heading of the sensor frame in the NED frame to the filter.", least = 9,
+    doc = "Sends one measurement of the heading of the sensor frame in the NED frame to the filter. The device rejects this command unless external heading updates are enabled, by filter.heading_source on the 3DM-GX5 and by filter.aiding_measurement_enable on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination source is not valid, -25 models reject true headings and -45 models magnetic ones.", least = 9,
     always = 3,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
@@ -2140,21 +2140,21 @@ field({ descriptor = 0x18, name = "filter.heading_source", role = "command", tit
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.heading_update_source"], doc = "Source of the heading. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only none and external. On the 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only none, mag and external. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only none, mag, gnss_velocity and external. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only none, gnss_velocity and external." }, } },
     } }, { { set = 0x0D, name = "filter.heading_source", title = "Heading update control" }, })
 field({ descriptor = 0x19, name = "filter.auto_initialization_control", role = "command", title = "Automatic initialization",
-    doc = "Sets whether the filter initializes automatically at power-up.", least = 1,
+    doc = "Sets whether the filter initializes automatically at power-up. Automatic initialization needs a valid heading source.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
     } }, { { set = 0x0D, name = "filter.auto_initialization_control", title = "Automatic initialization" }, })
 field({ descriptor = 0x1A, name = "filter.accel_noise", role = "command", title = "Accelerometer noise",
-    doc = "Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).", least = 1,
+    doc = "Sets the standard deviation of the accelerometer noise that the filter assumes (process noise). The factory values suit most laboratory conditions.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.accel_noise", title = "Accelerometer noise" }, })
 field({ descriptor = 0x1B, name = "filter.gyro_noise", role = "command", title = "Gyroscope noise",
-    doc = "Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).", least = 1,
+    doc = "Sets the standard deviation of the gyroscope noise that the filter assumes (process noise). The factory values suit most laboratory conditions.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2177,7 +2177,7 @@ field({ descriptor = 0x1D, name = "filter.gyro_bias_model", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gyro_bias_model", title = "Gyroscope bias model" }, })
 field({ descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = "Automatic zero velocity update",
-    doc = "Sets whether the filter assumes that the device is at rest while its GNSS speed is low.", least = 1,
+    doc = "Sets whether the filter assumes that the device is at rest while its GNSS speed is low. The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2185,7 +2185,7 @@ field({ descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = 
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Highest speed that is treated as zero. Unit: m/s. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.auto_zupt", title = "Automatic zero velocity update" }, })
 field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", role = "command", title = "External heading update with time",
-    doc = "Sends one measurement of the heading of the sensor frame with its GPS time to the filter.", least = 19,
+    doc = "Sends one measurement of the heading of the sensor frame with its GPS time to the filter. It is better than filter.external_heading_update if the heading changes quickly; the time must be accurate. The device rejects this command unless external heading updates are enabled, by filter.heading_source on the 3DM-GX5 and by filter.aiding_measurement_enable on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination source is not valid, -25 models reject true headings and -45 models magnetic ones.", least = 19,
     always = 5,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
@@ -2195,7 +2195,7 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
 field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
-    doc = "Sets whether the filter assumes that the device is not rotating while its angular rate is low.", least = 1,
+    doc = "Sets whether the filter assumes that the device is not rotating while its angular rate is low. The update applies while the magnitude of the angular rate vector is at or below the threshold.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2203,19 +2203,19 @@ field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", 
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.auto_angular_zupt", title = "Zero angular rate update" }, })
 field({ descriptor = 0x21, name = "filter.tare_orientation", role = "command", title = "Tare orientation",
-    doc = "Makes the present orientation in the NED frame the sensor-to-vehicle transformation.", least = 1,
+    doc = "Makes the present orientation in the NED frame the sensor-to-vehicle transformation. The device rejects this command while the filter has no valid attitude.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes to tare; 0 resets all axes." }, } },
     } }, { { set = 0x0D, name = "filter.tare_orientation", title = "Tare orientation" }, })
 field({ descriptor = 0x22, name = "filter.commanded_zupt", role = "command", title = "Commanded zero velocity update",
-    doc = "Informs the filter once that the device is at rest.", least = 0,
+    doc = "Informs the filter once that the device is at rest. The maximum rate depends on the device.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0D, name = "filter.commanded_zupt", title = "Commanded zero velocity update" }, })
 field({ descriptor = 0x23, name = "filter.commanded_angular_zupt", role = "command", title = "Commanded zero angular rate update",
-    doc = "Informs the filter once that the device is not rotating.", least = 0,
+    doc = "Informs the filter once that the device is not rotating. At most 10 per second.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0D, name = "filter.commanded_angular_zupt", title = "Commanded zero angular rate update" }, })
@@ -2227,23 +2227,23 @@ field({ descriptor = 0x26, name = "filter.reference_position", role = "command",
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts altitudes from sea level." }, } },
     } }, { { set = 0x0D, name = "filter.reference_position", title = "Set reference position" }, })
 field({ descriptor = 0x27, name = "filter.mag_capture_auto_calibration", role = "command", title = "Capture automatic magnetometer calibration",
-    doc = "Moves the result of the automatic magnetometer calibration into the fixed calibration.", least = 1,
+    doc = "Moves the result of the automatic magnetometer calibration into the fixed calibration. A write combines the automatic calibration with 3dm.mag_hard_iron_offset and 3dm.mag_soft_iron_matrix, then resets the automatic calibration. A save has the same effect as saving both of these settings.", least = 1,
     required = { [1] = 0, [3] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x0D, name = "filter.mag_capture_auto_calibration", title = "Capture automatic magnetometer calibration" }, })
 field({ descriptor = 0x28, name = "filter.gravity_noise", role = "command", title = "Gravity noise",
-    doc = "Sets the standard deviation of the gravity noise that the filter assumes (process noise).", least = 1,
+    doc = "Sets the standard deviation of the gravity noise that the filter assumes (process noise). The factory values suit most laboratory conditions.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Standard deviation per axis. Unit: g. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gravity_noise", title = "Gravity noise" }, })
 field({ descriptor = 0x29, name = "filter.pressure_altitude_noise", role = "command", title = "Pressure altitude noise",
-    doc = "Sets the standard deviation of the pressure altitude noise that the filter assumes.", least = 1,
+    doc = "Sets the standard deviation of the pressure altitude noise that the filter assumes. With a small value, the altitude follows the pressure faster, but weather and draughts appear as changes of height.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2271,22 +2271,22 @@ field({ descriptor = 0x41, name = "filter.enable_measurements", role = "command"
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "control", type = "u16", size = 2, flags = F["filter.measurement_flags"], doc = "Measurements to use. On the 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only accel." }, } },
     } }, { { set = 0x0D, name = "filter.enable_measurements", title = "Enable or disable measurements" }, })
 field({ descriptor = 0x42, name = "filter.mag_noise", role = "command", title = "Magnetometer noise",
-    doc = "Sets the standard deviation of the magnetometer noise that the filter assumes.", least = 1,
+    doc = "Sets the standard deviation of the magnetometer noise that the filter assumes. Uncertain: The SDK calls it process noise, although the noise is that of a measurement.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.mag_noise", title = "Magnetometer noise" }, })
 field({ descriptor = 0x43, name = "filter.magnetic_declination_source", role = "command", title = "Magnetic declination source",
-    doc = "Selects the source of the local declination of the magnetic field.", least = 1,
+    doc = "Selects the source of the local declination of the magnetic field. Without a good declination source, keep automatic magnetometer calibration off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination. On the 3DM-CX7-AHRS and 3DM-GV7-AHRS: only none and manual. On the 3DM-GQ7-GNSS/INS: only wmm and manual." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included, require it only if `source` is manual, but state one length, with the value. Always send it." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source", title = "Magnetic declination source" }, })
 field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
-    doc = "Sets how far the filter trusts gravity measurements whose magnitude is not as expected.", least = 1,
+    doc = "Sets how far the filter trusts gravity measurements whose magnitude is not as expected. Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values if they are omitted. The low-pass filter and the limits take effect only with `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the heading.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2299,31 +2299,31 @@ field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measure
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.accel_magnitude_error_adaptive_measurement", title = "Gravity magnitude error adaptive measurement" }, })
 field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measurement", role = "command", title = "Magnetometer magnitude error adaptive measurement",
-    doc = "Sets how far the filter trusts a magnetic field whose magnitude is not as expected.", least = 1,
+    doc = "Sets how far the filter trusts a magnetic field whose magnitude is not as expected. The limits and the low-pass filter take effect only with `fixed`; with `auto` the device determines the limits. High limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the heading. Uncertain: The parameters after the selector can possibly be omitted on write, like those of filter.accel_magnitude_error_adaptive_measurement.", least = 1,
     required = { [1] = 7, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." }, } },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement", title = "Magnetometer magnitude error adaptive measurement" }, })
 field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measurement", role = "command", title = "Magnetometer dip angle error adaptive measurement",
-    doc = "Sets how far the filter trusts a magnetic field whose dip angle is not as expected.", least = 1,
+    doc = "Sets how far the filter trusts a magnetic field whose dip angle is not as expected. It has no effect while filter.accel_magnitude_error_adaptive_measurement or filter.mag_magnitude_error_adaptive_measurement is set to `auto`. High limits suit high dynamics but do not reject disturbances of the field; low limits can degrade the heading.", least = 1,
     required = { [1] = 5, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad. Range: at least 0." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2." }, } },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
 field({ descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
-    doc = "Selects the source that aids the altitude in addition to GNSS.", least = 1,
+    doc = "Selects the source that aids the altitude in addition to GNSS. GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and location shift the pressure altitude, sometimes by more than 40 m.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2337,30 +2337,30 @@ field({ descriptor = 0x4B, name = "filter.pitch_roll_aiding", role = "command", 
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "aiding", type = "u8", size = 1, enum = E["filter.pitch_roll_aiding_source"], doc = "Source of the aiding." }, } },
     } }, { { set = 0x0D, name = "filter.pitch_roll_aiding", title = "Pitch and roll aiding" }, })
 field({ descriptor = 0x4C, name = "filter.magnetic_inclination_source", role = "command", title = "Magnetic inclination source",
-    doc = "Selects the source of the local inclination (dip angle) of the magnetic field.", least = 1,
+    doc = "Selects the source of the local inclination (dip angle) of the magnetic field. Without a good inclination source, keep automatic magnetometer calibration off.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Uncertain: The sign is the usual one; no source states it. Uncertain: It can possibly be omitted if `source` is not manual, as with filter.magnetic_declination_source. The SDK always sends it." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source", title = "Magnetic inclination source" }, })
 field({ descriptor = 0x4D, name = "filter.magnetic_magnitude_source", role = "command", title = "Magnetic field magnitude source",
-    doc = "Selects the source of the local magnitude of the magnetic field.", least = 1,
+    doc = "Selects the source of the local magnitude of the magnetic field. Without a good magnitude source, keep automatic magnetometer calibration off. filter.mag_magnitude_error_adaptive_measurement relies on it too.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can possibly be omitted if `source` is not manual, as with filter.magnetic_declination_source. The SDK always sends it." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source", title = "Magnetic field magnitude source" }, })
 field({ descriptor = 0x4E, name = "filter.sensor_to_vehicle_rotation_dcm", role = "command", title = "Sensor to vehicle rotation, matrix",
-    doc = "Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.", least = 1,
+    doc = "Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix. It is the inverse of the matrix that 3dm.sensor_to_vehicle_transform_dcm accepts. The device rejects a matrix that is not orthonormal to within 0.001. The device keeps a quaternion, so the elements read back may differ slightly from those written.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the vehicle frame into the sensor frame; row-major. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_dcm", title = "Sensor to vehicle rotation, matrix" }, })
 field({ descriptor = 0x4F, name = "filter.sensor_to_vehicle_rotation_quaternion", role = "command", title = "Sensor to vehicle rotation, quaternion",
-    doc = "Sets the rotation from the sensor frame to the vehicle frame as a quaternion.", least = 1,
+    doc = "Sets the rotation from the sensor frame to the vehicle frame as a quaternion. It is the inverse of the quaternion that 3dm.sensor_to_vehicle_transform_quaternion accepts. The device normalizes it, so the elements read back may differ slightly from those written.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2375,7 +2375,7 @@ field({ descriptor = 0x50, name = "filter.aiding_measurement_enable", role = "co
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the filter uses the source." }, } },
     } }, { { set = 0x0D, name = "filter.aiding_measurement_enable", title = "Aiding measurement control" }, })
 field({ descriptor = 0x51, name = "filter.kinematic_constraint", role = "command", title = "Kinematic constraint",
-    doc = "Sets the assumptions about the motion that the filter uses in place of measurements.", least = 1,
+    doc = "Sets the assumptions about the motion that the filter uses in place of measurements. Uncertain: There may be further values, because the SDK uses plain numbers and lists values in comments only.", least = 1,
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2384,7 +2384,7 @@ field({ descriptor = 0x51, name = "filter.kinematic_constraint", role = "command
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "angular_constraint", type = "u8", size = 1, enum = E["filter.angular_constraint"], doc = "Assumption about the angular rate. Default: none." }, } },
     } }, { { set = 0x0D, name = "filter.kinematic_constraint", title = "Kinematic constraint" }, })
 field({ descriptor = 0x52, name = "filter.initialization_config", role = "command", title = "Navigation filter initialization",
-    doc = "Sets the sources and values of the initial attitude, position and velocity of the filter.", least = 1,
+    doc = "Sets the sources and values of the initial attitude, position and velocity of the filter. The initial angles are in degrees, unlike those of filter.set_initial_attitude, which are in radians. Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds.", least = 1,
     required = { [1] = 9, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2424,7 +2424,7 @@ field({ descriptor = 0x55, name = "filter.relative_position_config", role = "com
       { kind = "group", first = 3, last = 3, body = { { kind = "array", name = "reference_coordinates", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, doc = "Reference point. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", readings = { {by = "reference_frame_selector", value = 1, units = {"m", } }, {by = "reference_frame_selector", value = 2, units = {"deg", "deg", "m", } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } }, } },
     } }, { { set = 0x0D, name = "filter.relative_position_config", title = "Relative position configuration" }, })
 field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "command", title = "Reference point lever arm",
-    doc = "Moves the point to which the position and the velocity of the filter refer.", least = 1,
+    doc = "Moves the point to which the position and the velocity of the filter refer. The shift in position depends on the attitude; the shift in velocity also depends on the angular rate.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2432,16 +2432,16 @@ field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "co
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm", title = "Reference point lever arm" }, })
 field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", title = "Speed measurement",
-    doc = "Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.", least = 13,
+    doc = "Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter. Do not use it together with the device's odometer. Single precision resolves the time of week to 0.0625 s at the end of the week. Uncertain: The SDK names a response, `filter.speed_measurement_response`, but has no layout of it.", least = 13,
     always = 4,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Send 1. Reserved: send 1." },
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: 0 to 604800." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit is inferred; the SDK states none." },
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Speed along the x axis of the vehicle. Unit: m/s. Frame: vehicle. Positive: forward." },
       { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
 field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
-    doc = "Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.", least = 1,
+    doc = "Sets the position of the point whose speed is measured, such as the wheel that drives the odometer. It corrects for the part of the speed at that point that is due to the rotation of the vehicle.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2449,14 +2449,14 @@ field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Lever arm from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm", title = "Speed measurement lever arm" }, })
 field({ descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
-    doc = "Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.", least = 1,
+    doc = "Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS. It assumes that the linear acceleration is zero.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
     } }, { { set = 0x0D, name = "filter.vertical_gyro_constraint_control", title = "Vertical gyro constraint" }, })
 field({ descriptor = 0x63, name = "filter.wheeled_vehicle_constraint_control", role = "command", title = "Wheeled vehicle constraint",
-    doc = "Sets whether the filter assumes that the vehicle moves only along its x axis.", least = 1,
+    doc = "Sets whether the filter assumes that the vehicle moves only along its x axis. It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not use it for vehicles that move sideways, such as aircraft.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2567,7 +2567,7 @@ field({ descriptor = 0x90, name = "filter.reference_position_response", role = "
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east." },
-      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m." },
+      { kind = "scalar", name = "altitude", type = "double", size = 8, units = {"m", }, doc = "Altitude of the reference position. Unit: m. Uncertain: The reference, ellipsoid or sea level, is inferred. The manual does not state it; its glossary counts altitudes from sea level." },
     } }, { { set = 0x0D, name = "filter.reference_position_response", title = "Set reference position response" }, })
 field({ descriptor = 0x93, name = "filter.gravity_noise_response", role = "response", title = "Gravity noise response",
     doc = "", least = 12,
@@ -2594,7 +2594,7 @@ field({ descriptor = 0x97, name = "filter.soft_iron_matrix_noise_response", role
       { kind = "array", name = "noise", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.soft_iron_matrix_noise_response", title = "Soft iron matrix noise response" }, })
 field({ descriptor = 0xA1, name = "filter.tare_orientation_response", role = "response", title = "Tare orientation response",
-    doc = "", least = 1,
+    doc = "Uncertain: The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes that are tared." },
@@ -2616,7 +2616,7 @@ field({ descriptor = 0xB2, name = "filter.magnetic_declination_source_response",
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the declination." },
-      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north." },
+      { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north; used only if `source` is manual. Unit: rad. Frame: ned. Range: -pi to pi. Positive: magnetic north is east of true north. Uncertain: The sign is the usual one; no source states it. Uncertain: The manuals, that of the 3DM-GQ7 included, require it only if `source` is manual, but state one length, with the value. Always send it." },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source_response", title = "Magnetic declination source response" }, })
 field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measurement_response", role = "response", title = "Gravity magnitude error adaptive measurement response",
     doc = "", least = 25,
@@ -2636,11 +2636,11 @@ field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
-      { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss." },
-      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss." },
-      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." },
+      { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." },
+      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." },
+      { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit gauss is inferred: the SDK states m/s^2, the manual of the 3DM-GX5-45 m/s^2 in the command and gauss in the response." },
     } }, { { set = 0x0D, name = "filter.mag_magnitude_error_adaptive_measurement_response", title = "Magnetometer magnitude error adaptive measurement response" }, })
 field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measurement_response", role = "response", title = "Magnetometer dip angle error adaptive measurement response",
     doc = "", least = 17,
@@ -2648,9 +2648,9 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
-      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad. Range: at least 0." },
-      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
-      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
+      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2." },
+      { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2." },
+      { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0. Uncertain: The unit rad is inferred from the quantity; the SDK states m/s^2." },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement_response", title = "Magnetometer dip angle error adaptive measurement response" }, })
 field({ descriptor = 0xB7, name = "filter.altitude_aiding_response", role = "response", title = "Altitude aiding response",
     doc = "", least = 1,
@@ -2669,14 +2669,14 @@ field({ descriptor = 0xBC, name = "filter.magnetic_inclination_source_response",
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the inclination." },
-      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down." },
+      { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane; used only if `source` is manual. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. Positive: the field points down. Uncertain: The sign is the usual one; no source states it. Uncertain: It can possibly be omitted if `source` is not manual, as with filter.magnetic_declination_source. The SDK always sends it." },
     } }, { { set = 0x0D, name = "filter.magnetic_inclination_source_response", title = "Magnetic inclination source response" }, })
 field({ descriptor = 0xBD, name = "filter.magnetic_magnitude_source_response", role = "response", title = "Magnetic field magnitude source response",
     doc = "", least = 5,
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.mag_parameter_source"], doc = "Source of the magnitude." },
-      { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0." },
+      { kind = "scalar", name = "magnitude", type = "float", size = 4, units = {"gauss", }, doc = "Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Uncertain: It can possibly be omitted if `source` is not manual, as with filter.magnetic_declination_source. The SDK always sends it." },
     } }, { { set = 0x0D, name = "filter.magnetic_magnitude_source_response", title = "Magnetic field magnitude source response" }, })
 field({ descriptor = 0xBE, name = "filter.sensor_to_vehicle_rotation_dcm_response", role = "response", title = "Sensor to vehicle rotation, matrix response",
     doc = "", least = 36,
@@ -2780,7 +2780,7 @@ field({ descriptor = 0x01, name = "gnss.receiver_info", role = "command", title 
     rows = {
     } }, { { set = 0x0E, name = "gnss.receiver_info", title = "Receiver info" }, })
 field({ descriptor = 0x02, name = "gnss.signal_config", role = "command", title = "Signal configuration",
-    doc = "Selects the GNSS signals that the device uses.", least = 1,
+    doc = "Selects the GNSS signals that the device uses. A device accepts only certain combinations. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.", least = 1,
     required = { [1] = 5, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2791,14 +2791,14 @@ field({ descriptor = 0x02, name = "gnss.signal_config", role = "command", title 
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.signal_config", title = "Signal configuration" }, })
 field({ descriptor = 0x03, name = "gnss.receiver_reset", role = "command", title = "Receiver reset",
-    doc = "Resets a GNSS receiver of the device.", least = 2,
+    doc = "Resets a GNSS receiver of the device. Only internal receivers can be reset. Some devices do not support all reset types. Uncertain: The SDK names no device that supports it.", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, enum = E["gnss.receiver_id"], doc = "Receiver to reset." },
       { kind = "scalar", name = "reset_type", type = "u8", size = 1, enum = E["gnss.receiver_reset_type"], doc = "Extent of the restart." },
     } }, { { set = 0x0E, name = "gnss.receiver_reset", title = "Receiver reset" }, })
 field({ descriptor = 0x04, name = "gnss.rtk_config", role = "command", title = "RTK configuration",
-    doc = "Sets how readily the device fixes the ambiguities of an RTK solution.", least = 1,
+    doc = "Sets how readily the device fixes the ambiguities of an RTK solution. The available modes differ by device. Uncertain: No source lists the devices that support it. Users of the vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative` only.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2806,15 +2806,15 @@ field({ descriptor = 0x04, name = "gnss.rtk_config", role = "command", title = "
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.rtk_config", title = "RTK configuration" }, })
 field({ descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
-    doc = "Switches the communication with a connected RTK dongle on or off.", least = 1,
+    doc = "Switches the communication with a connected RTK dongle on or off. No device is known for certain to support it.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables the dongle, 0 disables it. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved: send 0. Uncertain: No source states what to send; 0 is assumed.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.rtk_dongle_config", title = "RTK dongle configuration" }, })
 field({ descriptor = 0x20, name = "gnss.spartn_config", role = "command", title = "SPARTN configuration",
-    doc = "Sets the source and the keys of SPARTN corrections.", least = 1,
+    doc = "Sets the source and the keys of SPARTN corrections. A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key has 16 bytes, none of them 0. Send it as 32 hexadecimal digits in ASCII, two for each byte. Uncertain: The device may not accept lower case: the section on UART uses the digits 0-9 and A-F, the description of the command uses \"bc\" for 0xBC.", least = 1,
     required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2828,7 +2828,7 @@ field({ descriptor = 0x20, name = "gnss.spartn_config", role = "command", title 
       { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "next_key", count = 32, capacity = 32, size = 1, doc = "Next key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.spartn_config", title = "SPARTN configuration" }, })
 field({ descriptor = 0x60, name = "gnss.receiver_safe_mode", role = "command", title = "Receiver safe mode",
-    doc = "Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data.", least = 2,
+    doc = "Switches the safe mode of one receiver on or off. In safe mode, it sends no valid data. Uncertain: The layout is that of version 1.0.0 of the SDK; later versions do not have it. Uncertain: No source lists the devices that support it.", least = 2,
     always = 2,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." },
@@ -2859,11 +2859,11 @@ field({ descriptor = 0x84, name = "gnss.rtk_config_response", role = "response",
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.rtk_config_response", title = "RTK configuration response" }, })
 field({ descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
-    doc = "", least = 4,
+    doc = "No device is known for certain to support it.", least = 4,
     always = 2,
     rows = {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables the dongle, 0 disables it. Range: 0 to 1." },
-      { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "reserved", count = 3, capacity = 3, size = 1, doc = "Reserved. Uncertain: No source states what to send; 0 is assumed.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.rtk_dongle_config_response", title = "RTK dongle configuration response" }, })
 field({ descriptor = 0xA0, name = "gnss.spartn_config_response", role = "response", title = "SPARTN configuration response",
     doc = "", least = 78,
@@ -2879,7 +2879,7 @@ field({ descriptor = 0xA0, name = "gnss.spartn_config_response", role = "respons
       { kind = "array", name = "next_key", count = 32, capacity = 32, size = 1, doc = "Next key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.spartn_config_response", title = "SPARTN configuration response" }, })
 field({ descriptor = 0x01, name = "rtk.get_status_flags", role = "command", title = "Get status flags",
-    doc = "Gets the state of the modem and of the corrections.", least = 0,
+    doc = "Gets the state of the modem and of the corrections. No device is known for certain to support it. The status word in the response has two forms, rtk_status_flags and rtk_status_flags_legacy.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_status_flags", title = "Get status flags" }, })
@@ -2911,7 +2911,7 @@ field({ descriptor = 0x06, name = "rtk.connected_device_type", role = "command",
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of device that the modem is connected to." }, } },
     } }, { { set = 0x0F, name = "rtk.connected_device_type", title = "Connected device type" }, })
 field({ descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
-    doc = "Reads the code that activates the modem for its service.", least = 0,
+    doc = "Reads the code that activates the modem for its service. No device is known for certain to support it.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_activation_code", title = "Get activation code" }, })
@@ -2921,35 +2921,35 @@ field({ descriptor = 0x08, name = "rtk.get_modem_firmware_version", role = "comm
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_modem_firmware_version", title = "Get modem firmware version" }, })
 field({ descriptor = 0x0A, name = "rtk.service_status", role = "command", title = "Service status",
-    doc = "Queries a correction server about the connection, which also keeps it open.", least = 8,
+    doc = "Queries a correction server about the connection, which also keeps it open. The modem acts as the host and the server as the device.", least = 8,
     always = 2,
     from_device = true,
     rows = {
-      { kind = "scalar", name = "reserved1", type = "u32", size = 4, doc = "Reserved: send 0." },
-      { kind = "scalar", name = "reserved2", type = "u32", size = 4, doc = "Reserved: send 0." },
+      { kind = "scalar", name = "reserved1", type = "u32", size = 4, doc = "Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed." },
+      { kind = "scalar", name = "reserved2", type = "u32", size = 4, doc = "Reserved: send 0. Uncertain: No source states what the modem sends; 0 is assumed." },
     } }, { { set = 0x0F, name = "rtk.service_status", title = "Service status" }, })
 field({ descriptor = 0x20, name = "rtk.erase_storage", role = "command", title = "Erase storage",
-    doc = "Returns a storage medium to its raw state. Everything on it is erased.", least = 1,
+    doc = "Returns a storage medium to its raw state. Everything on it is erased. All stored data is lost. The command is for production. Accepted in calibration mode only.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "media", type = "u8", size = 1, enum = E["rtk.storage_medium"], doc = "The medium." },
     } }, { { set = 0x0F, name = "rtk.erase_storage", title = "Erase storage" }, })
 field({ descriptor = 0x21, name = "rtk.led_control", role = "command", title = "LED control",
-    doc = "Sets the colours and the pattern of the LED.", least = 11,
+    doc = "Sets the colours and the pattern of the LED. Accepted in calibration mode and production test mode only.", least = 11,
     always = 4,
     rows = {
-      { kind = "array", name = "primary_color", count = 3, capacity = 3, size = 1, doc = "First colour.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-      { kind = "array", name = "alternate_color", count = 3, capacity = 3, size = 1, doc = "Second colour.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "primary_color", count = 3, capacity = 3, size = 1, doc = "First colour. Uncertain: No source states the order of its parts; red, green, blue is likely.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
+      { kind = "array", name = "alternate_color", count = 3, capacity = 3, size = 1, doc = "Second colour. Uncertain: No source states the order of its parts; red, green, blue is likely.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
       { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["rtk.led_action"], doc = "Pattern." },
-      { kind = "scalar", name = "period", type = "u32", size = 4, doc = "Period of the pattern." },
+      { kind = "scalar", name = "period", type = "u32", size = 4, doc = "Period of the pattern. Uncertain: No source states the unit; ms is likely." },
     } }, { { set = 0x0F, name = "rtk.led_control", title = "LED control" }, })
 field({ descriptor = 0x22, name = "rtk.modem_hard_reset", role = "command", title = "Modem hard reset",
-    doc = "Clears the flash memory of the modem.", least = 0,
+    doc = "Clears the flash memory of the modem. It wears out the flash memory; use it rarely. Accepted in calibration mode only.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0F, name = "rtk.modem_hard_reset", title = "Modem hard reset" }, })
 field({ descriptor = 0x81, name = "rtk.get_status_flags_response", role = "response", title = "Get status flags response",
-    doc = "", least = 4,
+    doc = "No device is known for certain to support it.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "flags", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "State of the modem and of the corrections." },
@@ -2973,12 +2973,12 @@ field({ descriptor = 0x84, name = "rtk.get_iccid_response", role = "response", t
       { kind = "text", name = "iccid", count = 32, capacity = 32, doc = "Number of the SIM card." },
     } }, { { set = 0x0F, name = "rtk.get_iccid_response", title = "Get ICCID response" }, })
 field({ descriptor = 0x85, name = "rtk.get_rssi_response", role = "response", title = "Get RSSI response",
-    doc = "", least = 9,
+    doc = "Uncertain: That `valid` applies to the other values is inferred.", least = 9,
     always = 3,
     rows = {
       { kind = "scalar", name = "valid", type = "bool", size = 1, doc = "True if the modem is connected." },
-      { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true.", valid = { { flags = { { name = "valid", mask = 0 }, } }, } },
-      { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Quality of the modem's radio signal. Valid if valid is true.", valid = { { flags = { { name = "valid", mask = 0 }, } }, } },
+      { kind = "scalar", name = "rssi", type = "s32", size = 4, doc = "Received signal strength. Valid if valid is true. Uncertain: No source states the unit; dBm is likely.", valid = { { flags = { { name = "valid", mask = 0 }, } }, } },
+      { kind = "scalar", name = "signal_quality", type = "s32", size = 4, doc = "Quality of the modem's radio signal. Valid if valid is true. Uncertain: No source states the unit.", valid = { { flags = { { name = "valid", mask = 0 }, } }, } },
     } }, { { set = 0x0F, name = "rtk.get_rssi_response", title = "Get RSSI response" }, })
 field({ descriptor = 0x86, name = "rtk.connected_device_type_response", role = "response", title = "Connected device type response",
     doc = "", least = 1,
@@ -2987,7 +2987,7 @@ field({ descriptor = 0x86, name = "rtk.connected_device_type_response", role = "
       { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of device that the modem is connected to." },
     } }, { { set = 0x0F, name = "rtk.connected_device_type_response", title = "Connected device type response" }, })
 field({ descriptor = 0x87, name = "rtk.get_activation_code_response", role = "response", title = "Get activation code response",
-    doc = "", least = 32,
+    doc = "No device is known for certain to support it.", least = 32,
     always = 1,
     rows = {
       { kind = "text", name = "activation_code", count = 32, capacity = 32, doc = "Code that activates the modem for its service." },
@@ -2999,47 +2999,47 @@ field({ descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", rol
       { kind = "text", name = "modem_firmware_version", count = 32, capacity = 32, doc = "Firmware version of the modem, not of the dongle." },
     } }, { { set = 0x0F, name = "rtk.get_modem_firmware_version_response", title = "Get modem firmware version response" }, })
 field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "response", title = "Service status response",
-    doc = "Connection status according to the server.", least = 17,
+    doc = "Connection status according to the server. Uncertain: No source states what the counters count.", least = 17,
     always = 4,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["rtk.service_flags"], doc = "State of the service." },
       { kind = "scalar", name = "received_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Number of correction bytes that the service has sent. Unit: byte." },
       { kind = "scalar", name = "last_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Number of bytes in the last transfer. Unit: byte." },
-      { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
+      { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer. Uncertain: No source states the unit and the epoch." },
     } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
 field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get analog to displacement calibration",
-    doc = "Reads the slope and offset with which the device converts ADC counts to displacement.", least = 0,
+    doc = "Reads the slope and offset with which the device converts ADC counts to displacement. No device is known for certain to support it.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get analog to displacement calibration" }, })
 field({ descriptor = 0x02, name = "displacement.output_rate", role = "command", title = "Displacement output data rate",
-    doc = "Reads the rate at which displacement is measured.", least = 1,
+    doc = "Reads the rate at which displacement is measured. No device is known for certain to support it. Uncertain: MSCL only reads the rate; a write may not be supported.", least = 1,
     required = { [2] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
     } }, { { set = 0x11, name = "displacement.output_rate", title = "Displacement output data rate" }, })
 field({ descriptor = 0x04, name = "displacement.device_time", role = "command", title = "Displacement device time",
-    doc = "Sets the clock of the device, from which displacement_data.timestamp is taken.", least = 1,
+    doc = "Sets the clock of the device, from which displacement_data.timestamp is taken. No device is known for certain to support it. Uncertain: MSCL only writes the time; a read may not be supported.", least = 1,
     required = { [1] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds. Unit: ns." }, } },
     } }, { { set = 0x11, name = "displacement.device_time", title = "Displacement device time" }, })
 field({ descriptor = 0x81, name = "displacement.get_calibration_response", role = "response", title = "Get analog to displacement calibration response",
-    doc = "", least = 8,
+    doc = "No device is known for certain to support it.", least = 8,
     always = 2,
     rows = {
-      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement per ADC count." },
-      { kind = "scalar", name = "offset", type = "float", size = 4, doc = "Displacement at zero counts." },
+      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement per ADC count. Uncertain: No source states the unit; mm per count is likely." },
+      { kind = "scalar", name = "offset", type = "float", size = 4, doc = "Displacement at zero counts. Uncertain: No source states the unit; mm is likely." },
     } }, { { set = 0x11, name = "displacement.get_calibration_response", title = "Get analog to displacement calibration response" }, })
 field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "response", title = "Displacement output data rate response",
-    doc = "", least = 4,
+    doc = "No device is known for certain to support it.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "rate", type = "u32", size = 4, units = {"Hz", }, doc = "Rate of displacement data. Unit: Hz." },
     } }, { { set = 0x11, name = "displacement.output_rate_response", title = "Displacement output data rate response" }, })
 field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title = "Frame configuration",
-    doc = "Sets the position and the orientation of an external sensor on the vehicle.", least = 1,
+    doc = "Sets the position and the orientation of an external sensor on the vehicle. Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the translation t. For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. In a read, `format` selects the format of the rotation in the reply.", least = 1,
     required = { [1] = 5, [2] = 2, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -3052,7 +3052,7 @@ field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config", title = "Frame configuration" }, })
 field({ descriptor = 0x02, name = "aiding.sensor_frame_map", role = "command", title = "Sensor frame map",
-    doc = "Sets the frame in which an aiding sensor measures.", least = 1,
+    doc = "Sets the frame in which an aiding sensor measures. Uncertain: The layout is that of a branch of the SDK of 2024; later versions do not have it. Uncertain: No source lists the devices that support it.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -3060,14 +3060,14 @@ field({ descriptor = 0x02, name = "aiding.sensor_frame_map", role = "command", t
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, defined by aiding.frame_config. Range: 1 to 4. Default: 1." }, } },
     } }, { { set = 0x13, name = "aiding.sensor_frame_map", title = "Sensor frame map" }, })
 field({ descriptor = 0x1F, name = "aiding.echo_control", role = "command", title = "Echo control",
-    doc = "Sets how the device replies to aiding measurements.", least = 1,
+    doc = "Sets how the device replies to aiding measurements. The manual does not contain the layout of the responses that carry the data back.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Reply mode." }, } },
     } }, { { set = 0x13, name = "aiding.echo_control", title = "Echo control" }, })
 field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", title = "ECEF position",
-    doc = "Sends a measured position in Earth-fixed coordinates.", least = 49,
+    doc = "Sends a measured position in Earth-fixed coordinates. Use only one form of position: ECEF or LLH. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 49,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3077,7 +3077,7 @@ field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", titl
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title = "LLH position",
-    doc = "Sends a measured position as latitude, longitude and height.", least = 49,
+    doc = "Sends a measured position as latitude, longitude and height. Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 49,
     always = 7,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3089,7 +3089,7 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.llh_axis_flags"], doc = "Valid coordinates." },
     } }, { { set = 0x13, name = "aiding.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "command", title = "Height above ellipsoid",
-    doc = "Sends a measured height above the ellipsoid.", least = 21,
+    doc = "Sends a measured height above the ellipsoid. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 21,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3099,7 +3099,7 @@ field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "comma
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
 field({ descriptor = 0x25, name = "aiding.pressure_old", role = "command", title = "Pressure (old)",
-    doc = "Sends a static air pressure measured by an external sensor (superseded by aiding.pressure).", least = 21,
+    doc = "Sends a static air pressure measured by an external sensor (superseded by aiding.pressure). Uncertain: The layout is that of a branch of the SDK of 2024; later versions do not have it. Uncertain: No source lists the devices that support it.", least = 21,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3109,7 +3109,7 @@ field({ descriptor = 0x25, name = "aiding.pressure_old", role = "command", title
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.pressure_old", title = "Pressure (old)" }, })
 field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
-    doc = "Sends a measured velocity in Earth-fixed coordinates.", least = 37,
+    doc = "Sends a measured velocity in Earth-fixed coordinates. Use only one form of velocity: ECEF or NED. For a sensor that is fixed to the vehicle, use aiding.body_frame_velocity. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 37,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3119,7 +3119,7 @@ field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", titl
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_velocity", title = "ECEF velocity" }, })
 field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title = "NED velocity",
-    doc = "Sends a measured velocity in the local level frame.", least = 37,
+    doc = "Sends a measured velocity in the local level frame. Use only one form of velocity: ECEF or NED. For a sensor that is fixed to the vehicle, use aiding.body_frame_velocity. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 37,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3129,7 +3129,7 @@ field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command", title = "Body frame velocity",
-    doc = "Sends a measured velocity of the vehicle in the frame of the sensor.", least = 37,
+    doc = "Sends a measured velocity of the vehicle in the frame of the sensor. The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a velocity of 0 with only y valid, at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). For a zero velocity update, send a velocity of 0 while the GNSS speed is below a threshold that you choose. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 37,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3139,7 +3139,7 @@ field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command"
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.body_frame_velocity", title = "Body frame velocity" }, })
 field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title = "True heading",
-    doc = "Sends a measured heading relative to true north.", least = 21,
+    doc = "Sends a measured heading relative to true north. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 21,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3149,7 +3149,7 @@ field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
 field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", title = "Magnetic field",
-    doc = "Sends a magnetic field measured by an external magnetometer.", least = 37,
+    doc = "Sends a magnetic field measured by an external magnetometer. The magnetometer must be calibrated. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 37,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
@@ -3159,7 +3159,7 @@ field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", tit
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.magnetic_field", title = "Magnetic field" }, })
 field({ descriptor = 0x33, name = "aiding.pressure", role = "command", title = "Pressure",
-    doc = "Sends a static air pressure measured by an external sensor.", least = 21,
+    doc = "Sends a static air pressure measured by an external sensor. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 21,
     always = 5,
     plain = true,
     rows = {
@@ -3195,16 +3195,16 @@ field({ descriptor = 0x9F, name = "aiding.echo_control_response", role = "respon
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Reply mode." },
     } }, { { set = 0x13, name = "aiding.echo_control_response", title = "Echo control response" }, })
 field({ descriptor = 0x02, name = "system.interface_control", role = "command", title = "Interface control",
-    doc = "Sets the protocols that a port receives and sends.", least = 1,
+    doc = "Sets the protocols that a port receives and sends. Accepted on the main port only. The main port always keeps MIP in both directions. The change takes effect before the ACK, which is sent on the main port. Bytes that arrive during the change may be lost. The device rejects protocols that it or the port does not support, and settings that need more parsers than it has. A rejected command changes nothing. Replies to an incoming protocol are sent on the same port, even if the protocol is not an outgoing one. Devices differ in how many protocols they receive and send at a time.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read. Uncertain: No source states whether write and read accept `all`." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port receives." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port sends." }, } },
     } }, { { set = 0x7F, name = "system.interface_control", title = "Interface control" }, })
 field({ descriptor = 0x10, name = "system.comm_mode", role = "command", title = "Communication mode",
-    doc = "Switches the port between the device and one of its internal sensors.", least = 1,
+    doc = "Switches the port between the device and one of its internal sensors. The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself replies only to this command and 3dm.device_status.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -3214,7 +3214,7 @@ field({ descriptor = 0x82, name = "system.interface_control_response", role = "r
     doc = "", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." },
+      { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read. Uncertain: No source states whether write and read accept `all`." },
       { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port receives." },
       { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port sends." },
     } }, { { set = 0x7F, name = "system.interface_control_response", title = "Interface control response" }, })
@@ -3240,10 +3240,10 @@ field({ descriptor = 0x03, name = "sensor.raw_mag", role = "data", title = "Raw 
     doc = "Raw magnetic field in sensor counts, temperature compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "raw_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Magnetic field in counts. Unit: 1. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "raw_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Magnetic field in counts. Unit: 1. Frame: vehicle. Uncertain: The frame is doubtful: the SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.raw_mag", title = "Raw mag" }, })
 field({ descriptor = 0x04, name = "sensor.scaled_accel", role = "data", title = "Scaled accel",
-    doc = "Specific force, temperature compensated: about -1 g on z when level and at rest.", least = 12,
+    doc = "Specific force, temperature compensated: about -1 g on z when level and at rest. At rest, it is the opposite of the gravity vector.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force: acceleration minus gravity. Unit: g. Frame: vehicle. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3267,31 +3267,31 @@ field({ descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "
       { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_theta", title = "Delta theta" }, })
 field({ descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
-    doc = "Time integral of the specific force over the period set by the message format.", least = 12,
+    doc = "Time integral of the specific force over the period set by the message format. Multiply by 9.80665 m/s^2 for a change of velocity in metres per second. Divided by the period, z is -1 g on a device that is level and at rest.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the specific force: acceleration minus gravity. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_velocity", title = "Delta velocity" }, })
 field({ descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
-    doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
+    doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame. `v_vehicle = m * v_ned`; the 3DM-GX5-15 uses the sensor frame in place of the vehicle frame.", least = 36,
     always = 1,
     rows = {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On the 3DM-GX5-15: Rotates vectors of the NED frame into the sensor frame; row-major.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_orientation_matrix", title = "Complementary filter orientation matrix" }, })
 field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
-    doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
+    doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame. The 3DM-GX5-15 uses the sensor frame in place of the vehicle frame. `v_ned = q * v_vehicle * q^-1`", least = 16,
     always = 1,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Rotates vectors of the sensor frame into the NED frame; Hamilton quaternion, w first.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_quaternion", title = "Complementary filter quaternion" }, })
 field({ descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
-    doc = "Change in the complementary filter's attitude, as a matrix.", least = 36,
+    doc = "Change in the complementary filter's attitude, as a matrix. Deprecated: the SDK marks it as deprecated and names no replacement. Uncertain: No source states the interval of the change and the frames; the SDKs state only the name and the layout.", least = 36,
     always = 1,
     rows = {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_orientation_update_matrix", title = "Complementary filter orientation update matrix" }, })
 field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", title = "Complementary filter Euler angles",
-    doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
+    doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame. Uncertain: The ranges of the angles are inferred; no source states them.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle, applied after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down." },
@@ -3299,46 +3299,46 @@ field({ descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", tit
       { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad. Frame: ned. Range: -pi to pi. Positive: clockwise seen from above." },
     } }, { { set = 0x80, name = "sensor.comp_euler_angles", title = "Complementary filter Euler angles" }, })
 field({ descriptor = 0x0D, name = "sensor.orientation_raw_temperature", role = "data", title = "Orientation raw temperatures",
-    doc = "Raw readings of four temperature sensors.", least = 8,
+    doc = "Raw readings of four temperature sensors. Deprecated: the SDK marks it as deprecated and names no replacement. The first sensor belongs to the magnetometer, the second to gyroscope 3 and accelerometer 3, the third to gyroscope 2 and accelerometers 1 and 2, the fourth to gyroscope 1.", least = 8,
     always = 1,
     rows = {
-      { kind = "array", name = "raw_temperature", count = 4, capacity = 4, size = 2, doc = "Temperatures in counts. Unit: 1.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
+      { kind = "array", name = "raw_temperature", count = 4, capacity = 4, size = 2, doc = "Temperatures in counts. Unit: 1. Uncertain: No source states the scale, or the axes of the numbers 1 to 3.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
     } }, { { set = 0x80, name = "sensor.orientation_raw_temperature", title = "Orientation raw temperatures" }, })
 field({ descriptor = 0x0E, name = "sensor.internal_timestamp", role = "data", title = "Internal timestamp",
-    doc = "Free-running counter of the device.", least = 4,
+    doc = "Free-running counter of the device. Deprecated: the SDK marks it as deprecated and names no replacement. Uncertain: No source lists the devices that send it; the SDK of 2014 is for devices of the 3-series and 4-series.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter: 62 500 counts per second, 16 us each. Unit: 1." },
     } }, { { set = 0x80, name = "sensor.internal_timestamp", title = "Internal timestamp" }, })
 field({ descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title = "PPS timestamp",
-    doc = "Time counted by the pulse per second.", least = 8,
+    doc = "Time counted by the pulse per second. Deprecated: the SDK marks it as deprecated and names no replacement. The sources contradict each other. Only the SDK has this layout. Uncertain: Possibly no device sends it; sensor.pps_timestamp_with_flags has more sources. Uncertain: No source states the epoch.", least = 8,
     always = 2,
     rows = {
-      { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
-      { kind = "scalar", name = "useconds", type = "u32", size = 4, units = {"us", }, doc = "Fraction of the second. Unit: us." },
+      { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s. Uncertain: The unit is inferred from the name." },
+      { kind = "scalar", name = "useconds", type = "u32", size = 4, units = {"us", }, doc = "Fraction of the second. Unit: us. Uncertain: The unit is inferred from the name." },
     } }, { { set = 0x80, name = "sensor.pps_timestamp", title = "PPS timestamp" }, })
 field({ descriptor = 0x0F, name = "sensor.pps_timestamp_with_flags", role = "data", title = "PPS timestamp with flags",
-    doc = "Time counted by the pulse per second, with its state and nanoseconds.", least = 9,
+    doc = "Time counted by the pulse per second, with its state and nanoseconds. Deprecated: the SDK marks the descriptor as deprecated and names no replacement. The sources disagree on the layout; this one is from MSCL and the SDK of 2014. Uncertain: No source lists the devices that send it; the SDK of 2014 dates from the time of the 3DM-GX3. Uncertain: No source states the epoch.", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "State of the time." },
+      { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "State of the time. Uncertain: No source states the meaning of the bits." },
       { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
       { kind = "scalar", name = "nanoseconds", type = "u32", size = 4, units = {"ns", }, doc = "Fraction of the second. Unit: ns." },
     } }, { { set = 0x80, name = "sensor.pps_timestamp_with_flags", title = "PPS timestamp with flags" }, })
 field({ descriptor = 0x10, name = "sensor.north_vector", role = "data", title = "Complementary filter stabilized north vector",
-    doc = "Estimate of the geomagnetic field by the complementary filter, free of short disturbances.", least = 12,
+    doc = "Estimate of the geomagnetic field by the complementary filter, free of short disturbances. Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle transformation moves the latter out of the sensor frame. A lasting disturbance is not compensated.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "stabilized_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Geomagnetic field. Unit: gauss. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "stabilized_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Geomagnetic field. Unit: gauss. Frame: sensor. Uncertain: The frame is doubtful: the SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.north_vector", title = "Complementary filter stabilized north vector" }, })
 field({ descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Complementary filter stabilized up vector",
-    doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration.", least = 12,
+    doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration. At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the latter out of the sensor frame.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Opposite of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Opposite of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame is doubtful: the SDK has the vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.up_vector", title = "Complementary filter stabilized up vector" }, })
 field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
-    doc = "GPS time of the sensor data.", least = 12,
+    doc = "GPS time of the sensor data. Without a PPS the time runs on the internal clock and jumps when the PPS returns. The fraction of the time of week is the time since the last pulse. Without external synchronization it is the internal system time. Where the device has it, use shared.gps_timestamp instead; this field may be deprecated.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow_valid is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if valid_flags.time_initialized is set.", valid = { { devices = G[1], fewer = 65528, flags = { { name = "valid_flags", mask = 4 }, } }, { flags = { { name = "valid_flags", mask = 8 }, } }, } },
@@ -3346,7 +3346,7 @@ field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title =
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["sensor_gps_timestamp_flags"], doc = "State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of gx5_sensor_gps_timestamp_flags.", readings = { {device = "3dm-cv5-10", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cv5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cv5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-10", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-cx5-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-dh3", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gq4-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx3-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx3-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx3-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx3-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx4-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-15", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-25", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-35", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-gx5-45", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-mv5-ar", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-rq1-45-lt", flags = F["gx5_sensor_gps_timestamp_flags"] }, {device = "3dm-rq1-45-st", flags = F["gx5_sensor_gps_timestamp_flags"] }, } },
     } }, { { set = 0x80, name = "sensor.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0x14, name = "sensor.temperature_statistics", role = "data", title = "Temperature statistics",
-    doc = "Temperatures since the last power-on or reset.", least = 12,
+    doc = "Temperatures since the last power-on or reset. The values come from the inertial sensors, alone or together with sensors on the board.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "min_temperature", type = "float", size = 4, units = {"degC", }, doc = "Lowest temperature. Unit: degC." },
@@ -3456,7 +3456,7 @@ field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Validity flags for the time." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
 field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
-    doc = "Bias and drift of the receiver clock.", least = 26,
+    doc = "Bias and drift of the receiver clock. No device is known for certain to support it. Clock info 2 supersedes it and is more detailed.", least = 26,
     always = 4,
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3474,7 +3474,7 @@ field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Validity flags for the fix information." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
-    doc = "State of one tracked satellite.", least = 12,
+    doc = "State of one tracked satellite. Each satellite is sent as one field, in packets separate from other GNSS data. Uncertain: It is not known whether a packet contains one of these fields or several.", least = 12,
     always = 7,
     rows = {
       { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3495,27 +3495,27 @@ field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", ti
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Validity flags for the hardware status." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
-    doc = "State of the differential corrections.", least = 12,
+    doc = "State of the differential corrections. The sources contradict each other. This layout is in a manual of the 3DM-GX5-35, in MSCL and in the SDK of 2014. Uncertain: Devices could also send gnss_data.dgps_info_satellite, the layout of the SDK, but only this one agrees with the valid flags, which are the same in all sources.", least = 12,
     always = 5,
     rows = {
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Range: at least 0. Valid if valid_flags.age is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the corrections. Unit: s. Range: at least 0. Valid if valid_flags.age is set. Uncertain: The unit is that of gnss_data.dgps_channel; no source states it here.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Validity flags for the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info for one satellite",
-    doc = "Differential correction for one satellite, in the SDK's layout of DGPS info.", least = 15,
+    doc = "Differential correction for one satellite, in the SDK's layout of DGPS info. The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document gnss_data.dgps_info instead. The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no value in this layout. Uncertain: Possibly no device sends it: the values are those of gnss_data.dgps_channel, but the flags those of gnss_data.dgps_info, so a mistake in the SDK is likely.", least = 15,
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
-      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
-      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m." },
-      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s." },
+      { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set. Uncertain: The unit is that of gnss_data.dgps_channel; no source states it here.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m. Uncertain: The unit is that of gnss_data.dgps_channel; no source states it here." },
+      { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s. Uncertain: The unit is that of gnss_data.dgps_channel; no source states it here." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Validity flags for the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info for one satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
-    doc = "Differential correction for one satellite.", least = 15,
+    doc = "Differential correction for one satellite. Each active satellite is sent as one field, all in one packet.", least = 15,
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite. Valid if valid_flags.satellite_id is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3525,7 +3525,7 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Validity flags for a differential correction." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
-    doc = "Bias and drift of the receiver clock.", least = 34,
+    doc = "Bias and drift of the receiver clock. It supersedes clock info. Uncertain: The units are inferred from those of the ephemerides; no source states them.", least = 34,
     always = 5,
     rows = {
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3554,7 +3554,7 @@ field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = 
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Validity flags for the SBAS status." },
     } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
 field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
-    doc = "SBAS correction for one satellite.", least = 25,
+    doc = "SBAS correction for one satellite. An epoch is sent as one field for each satellite; `index` and `count` number the fields. For `udrei` 0 to 13, the variances in m^2 are 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.", least = 25,
     always = 10,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3569,7 +3569,7 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Validity flags for an SBAS correction." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band. Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time sends 0 there and does not set its flag.", least = 9,
     always = 6,
     rows = {
       { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band to which the states apply. Valid if valid_flags.rf_band is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3580,17 +3580,17 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Validity flags for the detection." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
 field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
-    doc = "Heading that the receiver computes from its antennas.", least = 11,
+    doc = "Heading that the receiver computes from its antennas. Uncertain: The SDK names no device that sends it.", least = 11,
     always = 4,
     plain = true,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
-      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas, from true north. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set. Uncertain: Clockwise from true north is usual; the SDK only states degrees, and no range. Uncertain: No source states from which antenna to which the baseline points. The opposite one differs by 180 degrees.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
+      { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set. Uncertain: It is not known whether this is one standard deviation.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Validity flags for the heading." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
-    doc = "Direction to one satellite, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health. An epoch is sent as one field for each satellite; `index` and `count` number the fields.", least = 25,
     always = 10,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3605,7 +3605,7 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Validity flags for the satellite status." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
 field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
-    doc = "Raw observation of one signal of one satellite.", least = 61,
+    doc = "Raw observation of one signal of one satellite. An epoch is sent as one field for each signal; `index` and `count` number the fields. The greatest lock time depends on the receiver.", least = 61,
     always = 19,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3647,7 +3647,7 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
       { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_data.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, } },
-      { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle, meaningful only if one is connected. Valid if valid_flags.dongle_status is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle, meaningful only if one is connected. Valid if valid_flags.dongle_status is set. The same word as in the response to rtk.get_status_flags, in one of its two forms.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Range: at least 0. Valid if valid_flags.gps_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, } },
       { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Range: at least 0. Valid if valid_flags.glonass_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 32 }, } }, } },
       { kind = "scalar", name = "galileo_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last Galileo correction. Unit: s. Range: at least 0. Valid if valid_flags.galileo_latency is set.", valid = { { flags = { { name = "valid_flags", mask = 64 }, } }, } },
@@ -3656,7 +3656,7 @@ field({ descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "da
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rtk_corrections_status_flags"], doc = "Valid values." },
     } }, { { set = 0x81, name = "gnss_data.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x91, name = "gnss_1.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x92, name = "gnss_2.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x93, name = "gnss_corrections.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x94, name = "gnss_external.rtk_corrections_status", title = "RTK corrections status" }, { set = 0x95, name = "gnss_external_2.rtk_corrections_status", title = "RTK corrections status" }, })
 field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", title = "GPS ephemeris",
-    doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
+    doc = "Broadcast orbit and clock of one GPS satellite. `iodc` changes with the clock data; according to the manual, it rolls over at 4.", least = 218,
     always = 34,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3695,7 +3695,7 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x91, name = "gnss_1.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x92, name = "gnss_2.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x93, name = "gnss_corrections.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x94, name = "gnss_external.gps_ephemeris", title = "GPS ephemeris" }, { set = 0x95, name = "gnss_external_2.gps_ephemeris", title = "GPS ephemeris" }, })
 field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", title = "GLONASS ephemeris",
-    doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
+    doc = "Broadcast orbit and clock of one GLONASS satellite. The GLONASS interface control document explains p and ft. A period of four years has 1461 days; no source states how nt, a u8, counts them.", least = 102,
     always = 25,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3725,7 +3725,7 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.glonass_ephemeris_flags"], doc = "Validity of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x91, name = "gnss_1.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x92, name = "gnss_2.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x93, name = "gnss_corrections.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x94, name = "gnss_external.glonass_ephemeris", title = "GLONASS ephemeris" }, { set = 0x95, name = "gnss_external_2.glonass_ephemeris", title = "GLONASS ephemeris" }, })
 field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", title = "Galileo ephemeris",
-    doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
+    doc = "Broadcast orbit and clock of one Galileo satellite. It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.", least = 218,
     always = 34,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3764,7 +3764,7 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x91, name = "gnss_1.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x92, name = "gnss_2.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x93, name = "gnss_corrections.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x94, name = "gnss_external.galileo_ephemeris", title = "Galileo ephemeris" }, { set = 0x95, name = "gnss_external_2.galileo_ephemeris", title = "Galileo ephemeris" }, })
 field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", title = "BeiDou ephemeris",
-    doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
+    doc = "Broadcast orbit and clock of one BeiDou satellite. It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.", least = 218,
     always = 34,
     rows = {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
@@ -3808,8 +3808,8 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
-      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set. Uncertain: No source states the units.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set. Uncertain: No source states the units.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
@@ -3818,8 +3818,8 @@ field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "d
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
-      { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
+      { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set. Uncertain: No source states the units.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set. Uncertain: No source states whether the bits count from 0 or from 1, or the region of each.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
@@ -3828,9 +3828,9 @@ field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "da
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set.", valid = { { flags = { { name = "valid_flags", mask = 2 }, } }, } },
-      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set. Uncertain: No source states the units.", valid = { { flags = { { name = "valid_flags", mask = 4 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set. Uncertain: No source states the units.", valid = { { flags = { { name = "valid_flags", mask = 8 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
+      { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set. Uncertain: No source states the units.", valid = { { flags = { { name = "valid_flags", mask = 16 }, } }, }, item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
@@ -3852,21 +3852,21 @@ field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", tit
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x03, name = "filter_data.attitude_quaternion", role = "data", title = "Attitude quaternion",
-    doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion.", least = 18,
+    doc = "Estimated orientation of the vehicle frame in the NED frame as a quaternion. `v_ned = q * v_vehicle * q^-1` The 3DM-GX5-15 manual documents the inverse rotation, which is taken for a misprint.", least = 18,
     always = 2,
     rows = {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotates vectors of the vehicle frame into the NED frame; Hamilton quaternion, w first. Unit: 1. Frame: ned. At rest and level: x 0, y 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_quaternion", title = "Attitude quaternion" }, })
 field({ descriptor = 0x04, name = "filter_data.attitude_dcm", role = "data", title = "Attitude direction cosine matrix",
-    doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.", least = 38,
+    doc = "Estimated orientation of the vehicle frame in the NED frame as a rotation matrix. `v_vehicle = dcm * v_ned`", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "dcm", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotates vectors of the NED frame into the vehicle frame; row-major. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.attitude_dcm", title = "Attitude direction cosine matrix" }, })
 field({ descriptor = 0x05, name = "filter_data.euler_angles", role = "data", title = "Euler angles",
-    doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles.", least = 14,
+    doc = "Estimated orientation of the vehicle frame in the NED frame as Euler angles. Uncertain: The ranges of the angles are inferred; no source states them.", least = 14,
     always = 4,
     rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Rotation about the x axis of the vehicle, after yaw and pitch (order 3-2-1). Unit: rad. Frame: ned. Range: -pi to pi. At rest and level: 0. Positive: right side down. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3907,7 +3907,7 @@ field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role =
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
-    doc = "Standard deviation of the estimated Euler angles.", least = 14,
+    doc = "Standard deviation of the estimated Euler angles. 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70 degrees of pitch up or down.", least = 14,
     always = 4,
     rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of roll. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3944,14 +3944,14 @@ field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data"
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_angular_rate", title = "Compensated angular rate" }, })
 field({ descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
-    doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
+    doc = "Magnitude of gravity at the position of the device according to the WGS84 model. The model is valid up to an altitude of 20 km.", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Gravity at this position according to the model. Unit: m/s^2. Range: at least 0. At rest and level: 9.8. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.wgs84_gravity_magnitude", title = "WGS84 local gravity magnitude" }, })
 field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "Filter status",
-    doc = "State, dynamics mode, condition and warnings of the filter.", least = 6,
+    doc = "State, dynamics mode, condition and warnings of the filter. 7-series: state 1 is initialization, 2 vertical gyro, 3 AHRS, 4 full navigation. On the 3DM-CV7, normal operation is state 4, mode 1, flags 1 (stable). 5-series and older: state 0 is start-up, 1 initialization, 2 a valid solution, 3 a solution with an error. Bits 12 and 13 of the flags have other meanings in state 1 than in states 2 and 3.", least = 6,
     always = 3,
     rows = {
       { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "Progress of the filter from start-up to its full solution. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cv5-10", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx5-10", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-cx7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-cx7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-dh3", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gq4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gq7", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ahrs", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ar", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gv7-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx3-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx3-35", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx3-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx4-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-25", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-gx5-45", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-mv5-ar", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-rq1-45-lt", enum = E["filter_data.gx5_filter_state"] }, {device = "3dm-rq1-45-st", enum = E["filter_data.gx5_filter_state"] }, } },
@@ -3959,7 +3959,7 @@ field({ descriptor = 0x10, name = "filter_data.status", role = "data", title = "
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cv5-10", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx5-10", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-cx7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-cx7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-dh3", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gq4-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gq7", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ahrs", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ar", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gv7-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx3-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx3-35", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx3-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx4-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-25", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-gx5-45", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-mv5-ar", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-rq1-45-lt", flags = F["filter_data.gx5_status_flags"] }, {device = "3dm-rq1-45-st", flags = F["filter_data.gx5_status_flags"] }, } },
     } }, { { set = 0x82, name = "filter_data.status", title = "Filter status" }, })
 field({ descriptor = 0x11, name = "filter_data.timestamp", role = "data", title = "Filter timestamp",
-    doc = "GPS time of the filter data.", least = 12,
+    doc = "GPS time of the filter data. Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: this field may be withdrawn; prefer shared.gps_timestamp.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3977,11 +3977,11 @@ field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", t
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set. Uncertain: No source states the sign.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
-    doc = "The last heading that updated the filter, and its source.", least = 12,
+    doc = "The last heading that updated the filter, and its source. The valid bit means that the source provided data within the last 2 seconds.", least = 12,
     always = 4,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -3990,7 +3990,7 @@ field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "da
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.heading_update_state", title = "Heading update source state" }, })
 field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
-    doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
+    doc = "Magnetic field at the position of the device according to the World Magnetic Model. It is valid only with a valid GNSS position.", least = 22,
     always = 6,
     rows = {
       { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "North component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -4050,7 +4050,7 @@ field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
-    doc = "US Standard Atmosphere of 1976 at the device's altitude.", least = 22,
+    doc = "US Standard Atmosphere of 1976 at the device's altitude. No device is known for certain to support it. It is valid only with a valid GNSS position.", least = 22,
     always = 6,
     rows = {
       { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -4061,7 +4061,7 @@ field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "dat
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
-    doc = "Altitude from the measured pressure, by the US Standard Atmosphere of 1976.", least = 6,
+    doc = "Altitude from the measured pressure, by the US Standard Atmosphere of 1976. It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.", least = 6,
     always = 2,
     plain = true,
     rows = {
@@ -4069,7 +4069,7 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
-    doc = "Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere.", least = 6,
+    doc = "Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere. Uncertain: The SDK lists only the name; the description is the usual meaning of the term.", least = 6,
     always = 2,
     plain = true,
     rows = {
@@ -4077,28 +4077,28 @@ field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data",
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
-    doc = "Estimated hard iron offset of the magnetometer.", least = 14,
+    doc = "Estimated hard iron offset of the magnetometer. No device is known for certain to support it. The filter adds it to the stored offset of 3dm.mag_hard_iron_offset.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Estimated constant field of magnetized parts near the magnetometer. Unit: gauss. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_offset", title = "Magnetometer offset" }, })
 field({ descriptor = 0x26, name = "filter_data.mag_matrix", role = "data", title = "Magnetometer matrix",
-    doc = "Estimated soft iron matrix of the magnetometer.", least = 38,
+    doc = "Estimated soft iron matrix of the magnetometer. No device is known for certain to support it. The filter multiplies the stored matrix of 3dm.mag_soft_iron_matrix by this matrix on the right.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_matrix", title = "Magnetometer matrix" }, })
 field({ descriptor = 0x28, name = "filter_data.mag_offset_uncertainty", role = "data", title = "Magnetometer offset uncertainty",
-    doc = "Standard deviation of the estimated hard iron offset.", least = 14,
+    doc = "Standard deviation of the estimated hard iron offset. No device is known for certain to support it.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "hard_iron_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation per axis. Unit: gauss. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_offset_uncertainty", title = "Magnetometer offset uncertainty" }, })
 field({ descriptor = 0x29, name = "filter_data.mag_matrix_uncertainty", role = "data", title = "Magnetometer matrix uncertainty",
-    doc = "Standard deviation of the estimated soft iron matrix.", least = 38,
+    doc = "Standard deviation of the estimated soft iron matrix. No device is known for certain to support it.", least = 38,
     always = 2,
     rows = {
       { kind = "array", name = "soft_iron_uncertainty", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Standard deviation per element. Unit: 1. Frame: sensor. Range: at least 0. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -4108,7 +4108,7 @@ field({ descriptor = 0x2A, name = "filter_data.mag_covariance_matrix", role = "d
     doc = "Covariance of the magnetometer measurement.", least = 38,
     always = 2,
     rows = {
-      { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "covariance", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Covariance matrix in row-major order. Valid if valid_flags.valid is set. Uncertain: No source states the unit, which is likely gauss^2, or the frame.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_covariance_matrix", title = "Magnetometer covariance matrix" }, })
 field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "data", title = "Magnetometer residual vector",
@@ -4119,7 +4119,7 @@ field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "dat
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
-    doc = "Estimated error of the GNSS antenna offset.", least = 14,
+    doc = "Estimated error of the GNSS antenna offset. The filter adds it to the stored offset of filter.antenna_offset.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, }, item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -4151,7 +4151,7 @@ field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", ro
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
-    doc = "Estimated error of one GNSS antenna's offset.", least = 15,
+    doc = "Estimated error of one GNSS antenna's offset. The filter adds it to the stored offset.", least = 15,
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
@@ -4202,7 +4202,7 @@ field({ descriptor = 0x42, name = "filter_data.ned_relative_position", role = "d
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_relative_position", title = "NED relative position" }, })
 field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", role = "data", title = "GNSS position aiding status",
-    doc = "Use of the position measurements of one GNSS receiver by the filter.", least = 15,
+    doc = "Use of the position measurements of one GNSS receiver by the filter. Single precision resolves the time of week to 0.0625 s at the end of the week.", least = 15,
     always = 4,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver." },
@@ -4211,23 +4211,23 @@ field({ descriptor = 0x43, name = "filter_data.gnss_position_aiding_status", rol
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_position_aiding_status", title = "GNSS position aiding status" }, })
 field({ descriptor = 0x44, name = "filter_data.gnss_attitude_aiding_status", role = "data", title = "GNSS attitude aiding status",
-    doc = "State of the attitude aiding by two GNSS antennas.", least = 14,
+    doc = "State of the attitude aiding by two GNSS antennas. Single precision resolves the time of week to 0.0625 s at the end of the week.", least = 14,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is not known whether this is the time of the measurement or that of its processing." },
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["filter_data.gnss_aiding_status"], doc = "State of the measurements in the filter." },
       { kind = "array", name = "reserved", count = 8, capacity = 8, size = 1, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x82, name = "filter_data.gnss_attitude_aiding_status", title = "GNSS attitude aiding status" }, })
 field({ descriptor = 0x45, name = "filter_data.heading_aiding_status", role = "data", title = "Heading aiding status",
-    doc = "The heading measurement that the filter used last.", least = 13,
+    doc = "The heading measurement that the filter used last. Single precision resolves the time of week to 0.0625 s at the end of the week.", least = 13,
     always = 3,
     rows = {
-      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800." },
+      { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last valid measurement. Unit: s. Range: 0 to 604800. Uncertain: It is not known whether this is the time of the measurement or that of its processing." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter_data.heading_aiding_type"], doc = "Source of the heading." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 4, doc = "Reserved. Reserved.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.heading_aiding_status", title = "Heading aiding status" }, })
 field({ descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role = "data", title = "Aiding measurement summary",
-    doc = "Use of one kind of aiding measurement in the last measurement interval.", least = 7,
+    doc = "Use of one kind of aiding measurement in the last measurement interval. Single precision resolves the time of week to 0.0625 s at the end of the week.", least = 7,
     always = 4,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week at the end of the interval. Unit: s. Range: 0 to 604800." },
@@ -4236,7 +4236,7 @@ field({ descriptor = 0x46, name = "filter_data.aiding_measurement_summary", role
       { kind = "scalar", name = "indicator", type = "u8", size = 1, flags = F["filter_data.aiding_measurement_indicator"], doc = "Use of the measurement by the filter." },
     } }, { { set = 0x82, name = "filter_data.aiding_measurement_summary", title = "Aiding measurement summary" }, })
 field({ descriptor = 0x47, name = "filter_data.odometer_scale_factor_error", role = "data", title = "Odometer scale factor error",
-    doc = "Estimated relative error of the odometer scale factor.", least = 6,
+    doc = "Estimated relative error of the odometer scale factor. Estimated scale factor = configured scale factor * (1 + error).", least = 6,
     always = 2,
     rows = {
       { kind = "scalar", name = "scale_factor_error", type = "float", size = 4, doc = "Relative error. Unit: 1. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -4250,7 +4250,7 @@ field({ descriptor = 0x48, name = "filter_data.odometer_scale_factor_error_uncer
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.odometer_scale_factor_error_uncertainty", title = "Odometer scale factor error uncertainty" }, })
 field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role = "data", title = "GNSS dual antenna status",
-    doc = "Heading from two GNSS antennas.", least = 17,
+    doc = "Heading from two GNSS antennas. It is a measurement that aids the filter. The heading of filter_data.euler_angles is the estimate of the filter from all measurements. Single precision resolves the time of week to 0.0625 s at the end of the week.", least = 17,
     always = 6,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -4277,27 +4277,27 @@ field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncerta
       { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
 field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "data", title = "Raw displacement",
-    doc = "Displacement in ADC counts.", least = 4,
+    doc = "Displacement in ADC counts. No device is known for certain to support it.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Output of the analog-to-digital converter. Unit: 1." },
     } }, { { set = 0x90, name = "displacement_data.displacement_raw", title = "Raw displacement" }, })
 field({ descriptor = 0x02, name = "displacement_data.displacement", role = "data", title = "Displacement",
-    doc = "Displacement of the sensor, computed with its calibration.", least = 4,
+    doc = "Displacement of the sensor, computed with its calibration. No device is known for certain to support it.", least = 4,
     always = 1,
     plain = true,
     rows = {
       { kind = "scalar", name = "displacement", type = "float", size = 4, units = {"mm", }, doc = "Position of the sensor along its axis. Unit: mm." },
     } }, { { set = 0x90, name = "displacement_data.displacement", title = "Displacement" }, })
 field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", title = "Displacement device timestamp",
-    doc = "Time of the measurement by the clock of the device.", least = 9,
+    doc = "Time of the measurement by the clock of the device. No device is known for certain to support it.", least = 9,
     always = 2,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the displacement timestamp." },
       { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if flags.time is set.", valid = { { flags = { { name = "flags", mask = 1 }, } }, } },
     } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement device timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
-    doc = "Flags of the tests that run all the time.", least = 16,
+    doc = "Flags of the tests that run all the time. The field is long; stream it at a low rate or poll it. A fault that has passed before the next message is still reported, because its flag stays set until it is sent. Each stream and each event action keeps its own copy of the flags. Some flags may be set without a fault, for instance a receiver without a position fix. Unnamed bits are reserved and must be ignored.", least = 16,
     always = 1,
     rows = {
       { kind = "array", name = "result", count = 16, capacity = 16, size = 1, doc = "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of cv7_inertial_continuous_built_in_test. On the 3DM-CV7-GNSS/INS: values of cv7_continuous_built_in_test.", readings = { {device = "3dm-cv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cv7-gnss-ins", flags = F["cv7_continuous_built_in_test"] }, {device = "3dm-cv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-cx7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gq7", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ahrs", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ar", flags = F["cv7_inertial_continuous_built_in_test"] }, {device = "3dm-gv7-ins", flags = F["cv7_inertial_continuous_built_in_test"] }, }, item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
@@ -4310,39 +4310,39 @@ field({ descriptor = 0x02, name = "system_data.time_sync_status", role = "data",
       { kind = "scalar", name = "last_pps_received", type = "u8", size = 1, units = {"s", }, doc = "Time since the last pulse, at most 255. Unit: s." },
     } }, { { set = 0xA0, name = "system_data.time_sync_status", title = "Time sync status" }, })
 field({ descriptor = 0x03, name = "system_data.gpio_state", role = "data", title = "GPIO state",
-    doc = "Levels of all user GPIO pins.", least = 1,
+    doc = "Levels of all user GPIO pins. A pulse that is shorter than the period at which the field is sent is missed. The pins are sampled within one base period of this set. Levels are guaranteed to be valid only for pins that 3dm.gpio_config configures for the GPIO feature. For fast signals and exact times use the timestamp feature and the event system.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "states", type = "u8", size = 1, flags = F["system_data.gpio_pin_states"], doc = "One bit for each pin." },
     } }, { { set = 0xA0, name = "system_data.gpio_state", title = "GPIO state" }, })
 field({ descriptor = 0x04, name = "system_data.gpio_analog_value", role = "data", title = "GPIO analog value",
-    doc = "Voltage at one GPIO pin.", least = 5,
+    doc = "Voltage at one GPIO pin. The pin must be configured as an analog input.", least = 5,
     always = 2,
     rows = {
       { kind = "scalar", name = "gpio_id", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
       { kind = "scalar", name = "value", type = "float", size = 4, units = {"V", }, doc = "Scaled voltage. Unit: V." },
     } }, { { set = 0xA0, name = "system_data.gpio_analog_value", title = "GPIO analog value" }, })
 field({ descriptor = 0xD0, name = "shared.event_source", role = "data", title = "Event source",
-    doc = "The event trigger that caused the packet.", least = 1,
+    doc = "The event trigger that caused the packet. Put it first in the format of event messages, to distinguish their packets from scheduled ones.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "trigger_id", type = "u8", size = 1, doc = "Id of the trigger; 0 means that the packet was scheduled by 3dm.message_format." },
     } }, { { set = 0xFF, name = "shared.event_source", title = "Event source" }, })
 field({ descriptor = 0xD1, name = "shared.ticks", role = "data", title = "Ticks",
-    doc = "Base periods since power-up.", least = 4,
+    doc = "Base periods since power-up. A tick is one period at the base rate of the device. Uncertain: According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates that time would be longer or shorter.", least = 4,
     always = 1,
     plain = true,
     rows = {
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Base periods since the device started, modulo 2^32. Unit: 1." },
     } }, { { set = 0xFF, name = "shared.ticks", title = "Ticks" }, })
 field({ descriptor = 0xD2, name = "shared.delta_ticks", role = "data", title = "Delta ticks",
-    doc = "Number of base periods between the previous field of this kind and this one.", least = 4,
+    doc = "Number of base periods between the previous field of this kind and this one. A tick is one period at the base rate of the device. Uncertain: Each set and each event instance may count separately, as with shared.delta_time.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Base periods since the previous field of this kind. Unit: 1." },
     } }, { { set = 0xFF, name = "shared.delta_ticks", title = "Delta ticks" }, })
 field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title = "GPS timestamp",
-    doc = "External time of the data as GPS time of week and week number.", least = 12,
+    doc = "External time of the data as GPS time of week and week number. In event messages it is the time of the trigger. It becomes valid after the PPS is locked and base.gps_time_update has set the time of week and the week number. With an internal GNSS receiver as PPS source, the device usually sets the time itself. With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by the leap seconds, which are 18 s since 2017. base.gps_time_update sets GPS time.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
@@ -4350,32 +4350,32 @@ field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title =
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Validity flags for the timestamp." },
     } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "Delta time",
-    doc = "External time since this field was last sent in the same set and event instance.", least = 8,
+    doc = "External time since this field was last sent in the same set and event instance. It is the same as shared.external_time_delta, in other units. Sending either restarts the counter that both share, so use only one of them.", least = 8,
     always = 1,
     rows = {
       { kind = "scalar", name = "seconds", type = "double", size = 8, units = {"s", }, doc = "Time since the last output. Unit: s. Range: at least 0." },
     } }, { { set = 0xFF, name = "shared.delta_time", title = "Delta time" }, })
 field({ descriptor = 0xD5, name = "shared.reference_timestamp", role = "data", title = "Reference timestamp",
-    doc = "Time of the data by the internal reference clock.", least = 8,
+    doc = "Time of the data by the internal reference clock. The clock starts at power-on, only moves forward and never jumps; the value is always valid. In event messages it is the time of the trigger.", least = 8,
     always = 1,
     rows = {
       { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "Time since initialization. Unit: ns." },
     } }, { { set = 0xFF, name = "shared.reference_timestamp", title = "Reference timestamp" }, })
 field({ descriptor = 0xD6, name = "shared.reference_time_delta", role = "data", title = "Reference time delta",
-    doc = "Reference time since this field was last sent in the same set and event instance.", least = 8,
+    doc = "Reference time since this field was last sent in the same set and event instance. The value is always valid.", least = 8,
     always = 1,
     rows = {
       { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns." },
     } }, { { set = 0xFF, name = "shared.reference_time_delta", title = "Reference time delta" }, })
 field({ descriptor = 0xD7, name = "shared.external_timestamp", role = "data", title = "External timestamp",
-    doc = "Time of the data in the external clock domain.", least = 10,
+    doc = "Time of the data in the external clock domain. It is shared.gps_timestamp in nanoseconds. In event messages it is the time of the trigger. It becomes valid when the external clock is synchronized through the PPS. Its epoch is the epoch of the time sent with base.gps_time_update: in most systems that of GPS time, but possibly another, such as the Unix epoch. Use shared.gps_timestamp for GPS time only. With a receiver as the source of the PPS (3dm.pps_source_control), it is GPS time, and valid only while that receiver has a fix.", least = 10,
     always = 2,
     rows = {
       { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "External time. Unit: ns. Valid if valid_flags.nanoseconds is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.external_timestamp_flags"], doc = "Validity of the time." },
     } }, { { set = 0xFF, name = "shared.external_timestamp", title = "External timestamp" }, })
 field({ descriptor = 0xD8, name = "shared.external_time_delta", role = "data", title = "External time delta",
-    doc = "External time since this field was last sent in the same set and event instance.", least = 10,
+    doc = "External time since this field was last sent in the same set and event instance. It is the same as shared.delta_time, in other units. Sending either restarts the counter that both share, so use only one of them.", least = 10,
     always = 2,
     rows = {
       { kind = "scalar", name = "dt_nanos", type = "u64", size = 8, units = {"ns", }, doc = "Time since the last output. Unit: ns. Valid if valid_flags.dt_nanos is set.", valid = { { flags = { { name = "valid_flags", mask = 1 }, } }, } },

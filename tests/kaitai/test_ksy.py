@@ -66,7 +66,8 @@ def test_what_readers_are_told(spec: str) -> None:
     holders = [t for t in of.all_types if isinstance(t, m.Struct)]
     for record in (*holders, *all_fields(of)):
         t = tree["types"][type_name(record)]
-        assert told(record.description) in t["doc"]
+        for words in (told(record.description), *(view.say(x.sentence) for x in describe.caveats(record, of))):
+            assert words in t["doc"]
         assert not isinstance(record, m.Field) or t["doc"].startswith(record.title)
         seq = {a["id"]: a for a in t.get("seq", ())}
         assert set(seq) == {member(p.name) for p in record.parameters}
@@ -75,14 +76,17 @@ def test_what_readers_are_told(spec: str) -> None:
             assert told(p.description) in doc
             assert not p.units or f"Unit{'s' if len(p.units) > 1 else ''}: {', '.join(p.units)}." in doc
             told_of += len(p.units)
-            for fact in describe.topics(describe.parameter(p, record, of), "valid", "variant"):
+            topics = ("positive", "valid", "variant", "note", "uncertain")
+            for fact in describe.topics(describe.parameter(p, record, of), *topics):
                 assert view.say(fact.sentence) in doc
     for e in (t for t in of.all_types if isinstance(t, m.Enum)):
         values = tree["enums"][type_name(e)]
         assert set(values) == {v.value for v in e.values}
         for v in e.values:
             entry = values[v.value] if isinstance(values[v.value], dict) else {"id": values[v.value], "doc": ""}
-            assert entry["id"] == value(v.name) and told(v.description) == entry.get("doc", "")
+            doubts = [view.say(fact.sentence) for fact in describe.uncertain(v, of)]
+            assert entry["id"] == value(v.name)
+            assert " ".join(filter(None, (told(v.description), *doubts))) == entry.get("doc", "")
     assert told_of
 
 

@@ -10,7 +10,7 @@ import pytest
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.ros2 import names
-from mipgen.targets.ros2.view import data_fields
+from mipgen.targets.ros2.view import data_fields, say
 from support import SPECS, heavy, model
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -35,24 +35,41 @@ def test_each_data_field_is_a_message(spec: str) -> None:
         assert text.startswith(f"# {f.full_name}: ") and "\nstd_msgs/Header header\n" in text
         lines = [line for line in text.splitlines() if line and not line.startswith("#")]
         assert all(MEMBER.fullmatch(line) or CONSTANT.fullmatch(line) for line in lines), lines
-        said = " ".join(text.replace("\n# ", " ").split())
+        said = words(text.replace("\n# ", " "))
+        assert all(words(say(fact.sentence)) in said for fact in describe.caveats(f, of))
         for p in f.parameters:
             if p.derived or p.union:
                 continue
             assert re.search(rf" {names.member(p.name)}\b", text)
-            for topic in ("unit", "range", "valid", "variant"):
-                for fact in describe.topics(describe.parameter(p, f, of), topic):
-                    assert " ".join(describe.say(fact.sentence, lambda ref: ref.words).split()) in said.replace("`", "")
+            topics = ("unit", "range", "positive", "valid", "variant", "note", "uncertain")
+            for fact in describe.topics(describe.parameter(p, f, of), *topics):
+                assert words(say(fact.sentence)) in said
+
+
+def words(text: str) -> str:
+    return " ".join(text.split())
 
 
 @specs
 def test_values_and_bits_are_constants(spec: str) -> None:
-    for f in data_fields(model(spec)):
+    of = model(spec)
+    for f in data_fields(of):
         text = (folder(spec) / "msg" / f"{names.message(f)}.msg").read_text("utf-8")
         for p in f.parameters:
             kind = p.leaf.named
             if isinstance(kind, m.Enum) and not p.derived:
-                assert all(f" {names.constant(p, v.name)}={v.value}\n" in text for v in kind.values)
+                assert all(f" {names.constant(p.name, v.name)}={v.value}\n" in text for v in kind.values)
+            for t in (v.type for v in p.readings):  # of each device, in order
+                group = text.partition(f"{t.name}")[2]
+                assert all(re.search(rf"_{x.name}(_BIT)?=\d+\n", group, re.I) for x in m.named_parts(t)), t.name
+        assert [*map(int, re.findall(r"\bDESCRIPTOR_SET_\w+=(\d+)", text))] == sets(f, of)
+        assert f.full_name != "filter_data.status" or "uint16 FILTER_STATE_CV7_FULL_NAV=4\n" in text
+
+
+def sets(f: m.Field, of: m.Model) -> list[int]:
+    """The numbers of the sets of a field that occurs in several."""
+    found = [s.number for s in of.sets if s.number in f.sets]
+    return found if len(found) > 1 else []
 
 
 @specs
@@ -76,5 +93,5 @@ def test_they_are_messages(spec: str) -> None:
         members = dict(types[f"mip_msgs/msg/{names.message(f)}"][1])
         assert next(iter(members)) == "header"
         wanted = [names.member(q.name) for p in f.parameters if not p.derived for q in p.alternatives or (p,)]
-        assert list(members)[1:] == wanted
+        assert list(members)[1:] == [*["descriptor_set"] * bool(sets(f, model(spec))), *wanted]
         store.generate_msgdef(f"mip_msgs/msg/{names.message(f)}")

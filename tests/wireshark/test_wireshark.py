@@ -15,6 +15,7 @@ from mip_protocol import Data, Packet, registry
 from mip_protocol.devices import DEVICES
 from mipgen import model as m
 from mipgen.emit import render
+from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
 from mipgen.targets import wireshark
@@ -271,6 +272,8 @@ def test_filters_say_what_they_are_for(spec: str) -> None:
             if p.length is None and p.name != f.name and "`" not in p.description:
                 text = docs[f"mip.{o.set_name}.{f.name}.{p.name}"]
                 assert p.description in text
+                for fact in describe.topics(describe.parameter(p, f, of), "positive", "note", "uncertain"):
+                    assert describe.say(fact.sentence, lambda ref: ref.words) in text
                 assert p.frame is None or "Frame: " in text
 
 

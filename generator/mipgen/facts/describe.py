@@ -73,6 +73,13 @@ def in_code(f: m.Field, model: m.Model) -> list[Fact]:
     return doubts + [x for x in field(f, model) if x.topic not in _LONG]
 
 
+def caveats(thing: m.Field | m.Type, model: m.Model) -> list[Fact]:
+    """Returns the facts that every form contains: without them, a description seems certain and complete."""
+    if not isinstance(thing, m.Field):
+        return type_facts(thing, model)
+    return topics(in_code(thing, model), "deprecated", "unsure", "note", "uncertain")
+
+
 def parameter(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
     """Returns the facts about a parameter, or the parameter of a union's case, besides its description."""
     return model.derived(_Composed).parameter(p, record)

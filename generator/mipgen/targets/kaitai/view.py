@@ -15,7 +15,9 @@ from . import expressions, names
 from .names import SCALARS, member, type_name, value
 
 #: Topics in the documentation of a parameter, besides its description.
-TOPICS = ("unit", "frame", "range", "default", "valid", "reserved", "variant")
+TOPICS = (
+    "deprecated", "unit", "frame", "range", "positive", "default", "valid", "reserved", "variant", "note", "uncertain",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,9 +105,7 @@ class Ksy:
         return [("kind", kinds), *((type_name(t), [self._value(v) for v in t.values]) for t in enums)]
 
     def _value(self, v: m.EnumValue) -> Item:
-        return Item(
-            value(v.name), _original(v.name, value(v.name)), plain_prose(v.description, self.model), str(v.value)
-        )
+        return Item(value(v.name), _original(v.name, value(v.name)), _doc(v, self.model), str(v.value))
 
     @cached_property
     def readings(self) -> dict[str, list[str]]:
@@ -137,7 +137,7 @@ def type_of_data(fields: Sequence[m.Field]) -> str:
 
 
 def type_view(t: m.Type | m.Field, model: m.Model) -> Type:
-    name, doc = type_name(t), plain_prose(t.description, model)
+    name, doc = type_name(t), _sentences(t.description, describe.caveats(t, model), model)
     match t:
         case m.Vector():
             elements = [Item(member(e), [f"type: {SCALARS[t.scalar.name]}"]) for e in t.elements]
@@ -146,9 +146,7 @@ def type_view(t: m.Type | m.Field, model: m.Model) -> Type:
             lines = ["-kind: bits"] if t.scalar else ["-kind: bytes", "meta:", "  bit-endian: le"]
             number = Item(expressions.NUMBER, [f'value: "{expressions.bits_as_number(t)}"'], "All bits as a number.")
             aliases = [
-                Item(member(b.name), [f'value: "{expressions.alias(b, t)}"'], plain_prose(b.description, model))
-                for b in t.bits
-                if b.alias
+                Item(member(b.name), [f'value: "{expressions.alias(b, t)}"'], _doc(b, model)) for b in t.bits if b.alias
             ]
             bits = [_bits(s, model) for s in expressions.segments(t)]
             return Type(name, lines, doc, bits, [number, *aliases] if t.scalar else aliases, [])
@@ -162,7 +160,7 @@ def _bits(s: expressions.Segment, model: m.Model) -> Item:
     lines = [f"type: b{s.width}"]
     if s.bits:
         lines += [*_original(s.bits.name, s.name), *([f"enum: {type_name(s.bits.enum)}"] if s.bits.enum else ())]
-    return Item(s.name, lines, plain_prose(s.bits.description, model) if s.bits else "")
+    return Item(s.name, lines, _doc(s.bits, model) if s.bits else "")
 
 
 def _record(t: m.Record, lines: list[str], doc: str, model: m.Model) -> Type:
@@ -236,8 +234,12 @@ def yaml_line(words: str) -> str:
     return words if plain else json.dumps(words, ensure_ascii=False)
 
 
-def plain_prose(words: str, model: m.Model) -> str:
-    return say(describe.prose(words, model)) if words else ""
+def _sentences(words: str, facts: list[describe.Fact], model: m.Model) -> str:
+    return " ".join(filter(None, (say(describe.prose(words, model)), *(say(f.sentence) for f in facts))))
+
+
+def _doc(part: m.EnumValue | m.Bits, model: m.Model) -> str:
+    return _sentences(part.description, describe.uncertain(part, model), model)
 
 
 def say(words: describe.Text) -> str:
@@ -261,5 +263,4 @@ def _reference(ref: describe.Ref) -> str:
 
 def about(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     """Composes the documentation of a parameter, or of a union's alternative; empty if there is none."""
-    facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []
-    return " ".join(filter(None, (plain_prose(p.description, model), *(say(f.sentence) for f in facts))))
+    return _sentences(p.description, describe.topics(describe.parameter(p, record, model), *TOPICS), model)

@@ -33,7 +33,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield Identifier("mip_msgs", x.name, what, x.record.position)
         for member in x.members:
             yield Identifier(f"the message {x.name}", member.name, member.name, x.record.position)
-            for _, constant, _ in member.constants:
+            for _, constant, _ in (x for _, constants in member.constants for x in constants):
                 what = f"{member.name}: {constant}"
                 yield Identifier(f"the message {x.name}", constant, what, x.record.position)
 

@@ -34,9 +34,9 @@ def member(name: str) -> str:
     return _member(re.sub(r"_+", "_", name).strip("_"))
 
 
-def constant(p: m.Parameter, name: str) -> str:
+def constant(parameter: str, name: str) -> str:
     """Returns the constant for a value or a bit of a parameter."""
-    return re.sub(r"_+", "_", upper(f"{member(p.name)}_{name}")).strip("_")
+    return re.sub(r"_+", "_", upper(f"{member(parameter)}_{name}")).strip("_")
 
 
 #: Identifiers of messages, members and constants.

@@ -19,7 +19,7 @@ class Member:
     type: str
     name: str
     comment: list[str]
-    constants: list[tuple[str, str, int]]  # type, name and value
+    constants: list[tuple[str, list[tuple[str, str, int]]]]  # comments, each with types, names and values
 
 
 @dataclass(frozen=True)
@@ -39,12 +39,12 @@ class Message:
 
     @property
     def comment(self) -> list[str]:
-        record, title = self.record, ""
+        record, title, description = self.record, "", self.record.description
         if isinstance(record, m.Field):
             title = f"{record.full_name}: {record.title}"
-            if record.description == record.title:
-                return [title]
-        return list(filter(None, (title, say(describe.prose(record.description, self.model)))))
+            description = "" if description == record.title else description
+        caveats = (say(fact.sentence) for fact in describe.caveats(record, self.model))
+        return list(filter(None, (title, say(describe.prose(description, self.model)), *caveats)))
 
     @cached_property
     def members(self) -> list[Member]:
@@ -68,6 +68,10 @@ def _members(record: m.Record, model: m.Model) -> list[Member]:
     A value that may be absent is an array, which is then empty.
     """
     members = []
+    sets = [s for s in model.sets if s.number in record.sets] if isinstance(record, m.Field) else []
+    if len(sets) > 1:
+        numbers = [("uint8", names.constant("descriptor_set", s.name), s.number) for s in sets]
+        members.append(Member("uint8", "descriptor_set", ["Descriptor set of the packet."], [("", numbers)]))
     for p in record.parameters:
         if p.derived:
             continue
@@ -77,7 +81,7 @@ def _members(record: m.Record, model: m.Model) -> list[Member]:
             absent = bool(p.union) or optional
             if absent and q.kind != "text":
                 comment.append("Empty if absent.")
-            members.append(Member(_type(q, absent), names.member(q.name), comment, list(_constants(q))))
+            members.append(Member(_type(q, absent), names.member(q.name), comment, list(_constants(q, record))))
     return members
 
 
@@ -130,9 +134,8 @@ def _comment(p: m.Parameter, record: m.Record, model: m.Model) -> Iterator[str]:
     elements = p.elements or (p.item.elements if p.kind == "array" else ())
     if elements:
         yield f"Elements: {', '.join(elements)}{' of each' if p.elements == () else ''}."
-    topics = ("unit", "frame", "range", "valid", "reserved", "variant")
-    facts = describe.topics(describe.parameter(p, record, model), *topics)
-    yield from (say(f.sentence) for f in facts)
+    topics = ("deprecated", "unit", "frame", "range", "positive", "valid", "reserved", "variant", "note", "uncertain")
+    yield from (say(f.sentence) for f in describe.topics(describe.parameter(p, record, model), *topics))
 
 
 def say(text: describe.Text) -> str:
@@ -153,10 +156,15 @@ def _is_message(thing: m.Field | m.Struct) -> bool:
     return isinstance(thing, m.Struct) or thing.role == m.DATA
 
 
-def _constants(p: m.Parameter) -> Iterator[tuple[str, str, int]]:
-    """Yields the values of an enumeration or the masks of a bitfield; none if they depend on the device."""
-    named = p.leaf.named
-    if named is not None and not p.by_device and p.leaf.kind != "bits":
-        scalar = names.SCALARS[p.leaf.scalar.name]
-        for part in m.named_parts(named):
-            yield scalar, names.constant(p, part.name), part.mask if isinstance(part, m.Bits) else part.value
+def _constants(p: m.Parameter, record: m.Record) -> Iterator[tuple[str, list[tuple[str, str, int]]]]:
+    """Yields the values of an enumeration, or the masks of a bitfield, as each type of the parameter names them."""
+    scalar, usual = names.SCALARS[p.leaf.scalar.name], p.leaf.named
+    for t in {t.full_name: t for t in (usual, *(v.type for v in p.readings)) if t is not None}.values():
+        own = "" if t is usual else f"_{t.name}_".replace(f"_{p.name}_", "_").replace(f"_{record.name}_", "_")
+        if isinstance(t, m.Bitfield) and t.scalar is None:  # too long for a mask
+            bits = [(scalar, names.constant(p.name, f"{own}_{b.name}_bit"), b.first) for b in t.bits]
+            yield f"Bits of {t.name}, the lowest of each, numbered from bit 0 of the first byte:", bits
+        else:
+            parts = ((x.name, x.mask if isinstance(x, m.Bits) else x.value) for x in m.named_parts(t))
+            made = [(scalar, names.constant(p.name, f"{own}_{name}"), number) for name, number in parts]
+            yield (f"{t.name}:" if own else ""), made

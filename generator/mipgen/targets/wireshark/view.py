@@ -14,7 +14,7 @@ from mipgen.lower.session import session
 from . import names
 
 #: Topics that the tree shows itself, or that do not help to read a packet.
-_LEFT_OUT = ("elements", "tag", "counts", "constant", "required", "optional", "note", "uncertain")
+_LEFT_OUT = ("elements", "tag", "counts", "constant", "required", "optional")
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,12 +140,11 @@ def _length(p: m.Parameter) -> dict[str, object]:
 
 def _meaning(p: m.Parameter, record: m.Record, model: m.Model) -> dict[str, object]:
     facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
-    doc = " ".join(filter(None, (plain(describe.prose(p.description, model)), *(plain(f.sentence) for f in facts))))
     readings = [lua_table(_reading(v)).replace("{ ", "{", 1) for v in p.variants if v.type or v.units]
     valid = [_validity(r, model) for r in validity.readings([p], record)]
     return {
         "units": _units(p.units),
-        "doc": string(doc),
+        "doc": string(_doc(p.description, facts, model)),
         "readings": _list(readings) if readings else "",
         "valid": _list(valid) if valid else "",
     }
@@ -186,7 +185,7 @@ def _field(f: m.Field, model: m.Model) -> Field:
         lua_table({"set": hexadecimal(o.set), "name": string(f.name_in(o.set)), "title": string(o.title)})
         for o in f.occurrences
     )
-    return Field(f, plain(describe.prose(f.description, model)), list(_attributes(f)), rows, places)
+    return Field(f, _doc(f.description, describe.caveats(f, model), model), list(_attributes(f)), rows, places)
 
 
 def _attributes(f: m.Field) -> Iterator[str]:
@@ -231,7 +230,7 @@ def _bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
     place = place_of(b, t)
     attributes = {"name": string(b.name), "at": place.at, "size": place.size, "mask": place.mask, "shift": place.shift}
     attributes |= {"width": b.width, "little": "true" if place.little else "", "enum": _named(b.enum) if b.enum else ""}
-    return lua_table(attributes | {"doc": string(plain(describe.prose(b.description, model)))})
+    return lua_table(attributes | {"doc": string(_doc(b.description, describe.uncertain(b, model), model))})
 
 
 @dataclass(frozen=True, slots=True)
@@ -311,6 +310,10 @@ def lua_number(value: int) -> str:
 
 def hexadecimal(number: int) -> str:
     return f"0x{number:02X}"
+
+
+def _doc(words: str, facts: list[describe.Fact], model: m.Model) -> str:
+    return " ".join(filter(None, (plain(describe.prose(words, model)), *(plain(f.sentence) for f in facts))))
 
 
 def plain(text: describe.Text) -> str:
