@@ -2,7 +2,7 @@ meta:
   id: mip
   title: MIP protocol of MicroStrain (LORD, HBK) inertial sensors
   license: MIT
-  ks-version: "0.10"
+  ks-version: "0.11"
   encoding: ISO-8859-1
   endian: be
   bit-endian: be

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from ksy_driver import Tree, file, ksy
@@ -41,6 +43,13 @@ def test_every_descriptor_is_a_kind_with_a_type(spec: str) -> None:
         else:
             assert home["-orig-id"] == f.full_name
     assert sum("-orig-id" in t for _, t in types(tree)) == len(all_fields(of))
+
+
+def test_the_version_of_the_compiler_is_the_tested_one() -> None:
+    packages = json.loads(Path(__file__).with_name("package.json").read_text("utf-8"))["dependencies"]
+    version = packages["kaitai-struct-compiler"].removesuffix(".0")
+    assert ksy(file("real"))["meta"]["ks-version"] == version
+    assert f"kaitai-struct-compiler {version} or later" in (file("real").parent / "README.md").read_text("utf-8")
 
 
 def test_all_modules_of_this_python_are_known() -> None:
