@@ -185,6 +185,7 @@ done
 crates
 [ "$1" = packaging ] && exit $missing
 
+command_or xxd "install it (Debian: apt-get install xxd)"
 command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark-common)"
 command_or clang "install it (Debian: apt-get install clang)"
 command_or clang++ "install it (Debian: apt-get install clang)"

@@ -2,7 +2,9 @@
 -- Matches replies to commands. Wireshark passes packets in order once; the matches found then are used again whenever
 -- it shows a packet again.
 
-local WAIT = 2.0 -- seconds; a reply after this time is matched to a later command, if there is one
+-- Seconds in which a host may send commands with one descriptor before the first reply. One that it sends later, as a
+-- poll, means that it has ceased to wait for the earlier ones; else, a lost reply would shift all later ones.
+local WAIT = 0.1
 local WAITING_AT_MOST = 16 -- the maximum number of waiting commands with one descriptor in a conversation
 
 local exchanges -- conversation and descriptor -> commands that wait for a reply, in the order in which they were sent
@@ -37,26 +39,19 @@ local function command_sent(key, conversation, number, descriptor, f, record, fr
     local exchange = { request = frame, sent = time, patience = math.max(WAIT, f.timeout or 0) }
     known[key] = exchange
     local queue = waiting(conversation, number, descriptor)
-    queue[#queue + 1] = exchange
-    if #queue > WAITING_AT_MOST then
+    while queue[1] and (#queue == WAITING_AT_MOST or time - queue[1].sent > queue[1].patience) do
       table.remove(queue, 1)
     end
+    queue[#queue + 1] = exchange
   end
   return known[key]
 end
 
--- Matches an acknowledge to the oldest command of this descriptor that may still wait, else to the newest.
+-- Matches an acknowledge to the oldest command of this descriptor that still waits.
 local function answer_came(key, conversation, number, descriptor, frame, time)
   if not known[key] then
-    local queue, found = waiting(conversation, number, descriptor), nil
-    for i, exchange in ipairs(queue) do
-      found = i
-      if time - exchange.sent <= exchange.patience then
-        break
-      end
-    end
-    if found then
-      local exchange = table.remove(queue, found)
+    local exchange = table.remove(waiting(conversation, number, descriptor), 1)
+    if exchange then
       exchange.answer, exchange.answered = frame, time
       known[key] = exchange
     end

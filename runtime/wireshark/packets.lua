@@ -26,9 +26,11 @@ local function is_set(number)
   return number ~= 0 and number ~= SHARED
 end
 
+local recognized
+
 -- Finds packets, at most `limit`. Returns the start and size of each, and the start of a packet that may continue in
 -- later bytes; `final` means that no bytes follow. After a header without a packet, the search continues one byte after
--- its sync.
+-- its sync. A header is without a packet, too, if one begins in the bytes that it claims: the stream may end with them.
 local function scan(raw, final, limit)
   local found, at = {}, 0
   while at < #raw and #found ~= limit do
@@ -42,7 +44,7 @@ local function scan(raw, final, limit)
     if #raw > at + 2 and not is_set(raw:byte(at + 3)) then
       at = at + 1
     elseif not size or at + size > #raw then
-      if not final then
+      if not final and not recognized(raw:sub(at + 2)) then
         return found, at
       end
       at = at + 1
@@ -70,7 +72,7 @@ local function plausible(raw, at, size)
 end
 
 -- True if one of the packets in these bytes is plausible. The first may be of an unknown set, or a chance match.
-local function recognized(raw)
+function recognized(raw)
   for _, found in ipairs((scan(raw, true))) do
     if plausible(raw, found.at, found.size) then
       return true

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ import shark as captures
 from conformance.test_conformance import samples
 from dissected import PORT, Element, accel, acknowledge, broken, field_bytes, packet, shark, shown, trees
 from mipgen.lower import codec
-from support import all_fields, expected_parse, heavy, model, set_of
+from support import all_fields, expected_parse, heavy, model, need, set_of
 
 pytestmark = heavy("tshark")
 
@@ -131,6 +132,13 @@ def test_a_chunk_says_that_its_packet_goes_on(tmp_path: Path) -> None:
     assert found([first, second]) == checksums(accel(0.5) + accel(1.0))
 
 
+def test_packets_behind_a_false_header_at_the_end_are_shown(tmp_path: Path) -> None:
+    data = accel(0.5) + FALSE_SYNC + accel(1.0)  # more bytes than the header claims never arrive
+    for size in (1, 7, len(data)):
+        frames = trees(tmp_path, captures.serial(captures.chunks(data, size)))
+        assert found(frames) == checksums(accel(0.5) + accel(1.0)) and skipped(frames) == len(FALSE_SYNC)
+
+
 @pytest.mark.parametrize("dlt", [147, 150, 162])
 def test_user_dlts(dlt: int, tmp_path: Path) -> None:
     capture = captures.capture(dlt, [accel(0.5)])
@@ -148,6 +156,17 @@ def test_a_log_is_a_capture(tmp_path: Path) -> None:
             frames = trees(tmp_path, data, *passes)
             check(frames, data)
             assert all(len(found([frame])) <= 1 for frame in frames)
+
+
+def test_a_log_as_frames_of_a_user_dlt(tmp_path: Path) -> None:
+    """By the command of the README."""
+    readme = (shark("real").plugin.parent / "README.md").read_text("utf-8")
+    (command,) = (line for line in readme.splitlines() if line.endswith("log.pcap"))
+    assert not any(re.search(r"\bod .*-w", line) for line in readme.splitlines())  # GNU only
+    (tmp_path / "log.bin").write_bytes(stream())
+    need("xxd"), need("text2pcap")
+    subprocess.run(["sh", "-c", command.strip()], cwd=tmp_path, check=True, capture_output=True)
+    check(trees(tmp_path, (tmp_path / "log.pcap").read_bytes()), stream())
 
 
 @pytest.mark.parametrize("first", [b"ue\x55\x02\x02\x01", b"ue\x80\x02\x09\x04", FALSE_SYNC + b"ue\x80\xff"])
@@ -217,12 +236,14 @@ def test_answers_and_requests_are_linked(transport: str, tmp_path: Path) -> None
     assert refused == ["Ping refused: invalid_parameter"]
 
 
-def test_a_repeated_command_is_the_one_that_is_answered(tmp_path: Path) -> None:
-    """The first waits for longer than a device takes."""
-    ping = packet((0x01, 0x01, b""))
-    frames = trees(tmp_path, captures.serial([ping, ping, acknowledge(0x01, 0x01, 0)], interval=3.0), "-2")
-    assert [shown(frame, "mip.answer_in") for frame in frames] == [[], ["3"], []]
-    assert shown(frames[2], "mip.request_in") == ["2"]
+@pytest.mark.parametrize("period", [3.0, 1.0, 0.5])
+def test_a_lost_reply_shifts_no_later_one(period: float, tmp_path: Path) -> None:
+    """The second of four polls is not answered."""
+    ping, reply = packet((0x01, 0x01, b"")), acknowledge(0x01, 0x01, 0)
+    sent = captures.serial([ping, reply, ping, accel(0.5), *[ping, reply] * 2], interval=period / 2)
+    frames = trees(tmp_path, sent, "-2")
+    assert [shown(frame, "mip.answer_in") for frame in frames[::2]] == [["2"], [], ["6"], ["8"]]
+    assert [shown(frame, "mip.request_in") for frame in frames[1::2]] == [["1"], [], ["5"], ["7"]]
 
 
 def test_silent_commands_are_not_answered(tmp_path: Path) -> None:
