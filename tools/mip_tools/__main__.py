@@ -90,6 +90,8 @@ def _engine() -> str:
     """Describes the code that reads logs as columns."""
     try:
         from .columns.native import compiled
+    except NoBinding:
+        return "nothing: a generated package is missing"
     except ImportError:
         return "nothing: NumPy is missing"
     return "NumPy and compiled code" if compiled() else "NumPy alone"
