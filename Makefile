@@ -219,7 +219,7 @@ pdf: docs ## print the reference on one page, which takes minutes: build/site/ev
 
 .PHONY: release
 release: export SOURCE_DATE_EPOCH = 315532800
-release: pdf $(VENV)/all.stamp ## build what people install in dist/, with checksums, an SBOM and notes: make release, make release REHEARSE=1
+release: tools-release pdf $(VENV)/all.stamp ## build what people install in dist/, with checksums, an SBOM and notes: make release, make release REHEARSE=1
 	@$(RUN) tools/release/build.py --site $(BUILD)/site
 	$(if $(REHEARSE),@$(RUN) tools/release/publish.py --rehearse)
 
@@ -254,7 +254,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-packaging tools-all tools-cross tools-fuzz tools-miri tools-prove tools-semver tools-workflows
+.PHONY: tools tools-check tools-packaging tools-release tools-all tools-cross tools-fuzz tools-miri tools-prove tools-semver tools-workflows
 tools:
 	@tests/tools.sh test
 
@@ -263,6 +263,9 @@ tools-check:
 
 tools-packaging:
 	@tests/tools.sh packaging
+
+tools-release:
+	@tests/tools.sh release
 
 tools-all:
 	@tests/tools.sh all

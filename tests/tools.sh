@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools.sh check|test|packaging|all|cross|fuzz|miri|prove|semver|workflows: installs what it can, and names everything
+# tools.sh check|test|packaging|release|all|cross|fuzz|miri|prove|semver|workflows: installs what it can, and names everything
 # else that is missing, with its remedy. `make check` and `make test` leave out what needs Rust where it is missing.
 set -u
 goal=$1
@@ -148,10 +148,17 @@ fi
 # What the crate can depend on: packages are built and tried without the network. In a copy, which gets a Cargo.lock.
 crates() {
     copy=${TOOLS:-build/tools}/crate
-    rm -rf "$copy" && mkdir -p "$copy" && cp -R generated/rust/. "$copy" &&
+    rm -rf "$copy" && mkdir -p "$copy" && cp -R generated/rust/. "$copy"
+    cargo fetch --quiet --offline --manifest-path "$copy/Cargo.toml" 2>/dev/null ||
         cargo fetch --quiet --manifest-path "$copy/Cargo.toml" ||
         lacks "what the Rust crate can depend on" "cargo must reach crates.io, once"
 }
+
+if [ "$1" = release ]; then
+    command_or cargo "install Rust: https://rustup.rs"
+    [ $missing = 0 ] && crates
+    exit $missing
+fi
 
 [ "$1" = test ] || component rustfmt rustfmt rustfmt
 [ "$1" = check ] && exit $missing
