@@ -174,9 +174,9 @@ impl Port for Fake {
 
 #[test]
 fn connects_at_any_rate() {
-    for rate in BAUD_RATES {
+    for &rate in BAUD_RATES {
         let mut device = device(rate);
-        assert_eq!(device.connect(&BAUD_RATES), Ok(Some(rate)));
+        assert_eq!(device.connect(BAUD_RATES), Ok(Some(rate)));
         let port = device.port();
         assert_eq!(port.tried.last(), Some(&rate));
         assert_eq!(port.commands().last(), Some(&0x0102));
@@ -188,7 +188,7 @@ fn connects_at_any_rate() {
 fn a_device_that_only_sends_data_is_found() {
     let mut found = device(460_800);
     (found.port_mut().data, found.port_mut().lose) = (1000, 1);
-    assert_eq!(found.connect(&BAUD_RATES), Ok(Some(460_800)));
+    assert_eq!(found.connect(BAUD_RATES), Ok(Some(460_800)));
     assert_eq!(found.port().commands().iter().filter(|c| **c == 0x0102).count(), 1);
 }
 
@@ -197,7 +197,7 @@ fn answers_that_are_lost_are_asked_for_again() {
     for lose_of in [0x0101, 0x0102] {
         let mut device = device(115_200);
         (device.port_mut().lose, device.port_mut().lose_of) = (1, lose_of);
-        assert_eq!(device.connect(&BAUD_RATES), Ok(Some(115_200)), "{lose_of:#x}");
+        assert_eq!(device.connect(BAUD_RATES), Ok(Some(115_200)), "{lose_of:#x}");
     }
     for (lose_of, stream) in [(0x0C0E, 5), (0x0C0F, 5), (0x0C11, 5), (0x0106, 5)] {
         let mut device = device(115_200);
@@ -215,23 +215,23 @@ fn failed<E>(command: &'static str, reason: Reason) -> DeviceError<E> {
 fn nobody_is_there() {
     let nobody = Err(failed("base.ping", Reason::TimedOut));
     let mut none = device(1234);
-    assert_eq!(none.connect(&BAUD_RATES), nobody);
+    assert_eq!(none.connect(BAUD_RATES), nobody);
     assert_eq!(none.port().tried, BAUD_RATES);
     assert_eq!(none.port().sent.len(), 2 * BAUD_RATES.len());
 
     let mut silent = at_rate(0, 115_200); // a port without rates
-    assert_eq!(silent.connect(&BAUD_RATES), Err(failed("base.set_idle", Reason::TimedOut)));
+    assert_eq!(silent.connect(BAUD_RATES), Err(failed("base.set_idle", Reason::TimedOut)));
     assert_eq!(silent.port().commands(), [0x0102; 3]);
 
     let mut slow = at_rate(0, 0);
-    assert_eq!(slow.connect(&BAUD_RATES), Ok(None));
+    assert_eq!(slow.connect(BAUD_RATES), Ok(None));
 }
 
 #[test]
 fn rates_that_a_port_lacks_are_passed_over() {
     let mut device = device(9600);
     device.port_mut().fastest = 115_200;
-    assert_eq!(device.connect(&BAUD_RATES), Ok(Some(9600)));
+    assert_eq!(device.connect(BAUD_RATES), Ok(Some(9600)));
     assert_eq!(device.port().tried, [115_200, 57_600, 38_400, 19_200, 9600]);
 }
 
@@ -341,7 +341,7 @@ fn a_device_that_was_asked_what_it_is_has_its_own_times() {
     assert_eq!(device.profile(), Ok(None));
     device.port_mut().model[1] = "                6253-4220";
     assert_eq!(device.profile().unwrap().map(|profile| profile.id), Some("3dm-gx5-25"));
-    assert_eq!(device.connect(&BAUD_RATES), Ok(Some(115_200))); // perhaps to another one
+    assert_eq!(device.connect(BAUD_RATES), Ok(Some(115_200))); // perhaps to another one
     assert_eq!(clocks(&mut device), Some("gps"));
 }
 

@@ -23,7 +23,7 @@ use crate::{Command, CommandError, DescriptorSet, Field, Reason};
 
 /// The baud rates of all known devices: the usual one first, the others in descending order.
 #[rustfmt::skip]
-pub const BAUD_RATES: [u32; 10] = [
+pub const BAUD_RATES: &[u32] = &[
     115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800,
 ];
 
@@ -71,7 +71,7 @@ pub fn open(place: &str) -> Result<Device<crate::device::Line>, DeviceError<std:
     if is_log {
         return Ok(device);
     }
-    let all = if has_rate { &BAUD_RATES[..] } else { &[] };
+    let all = if has_rate { BAUD_RATES } else { &[] };
     let mut found = device.connect(given.as_ref().map_or(all, core::slice::from_ref));
     if given.is_some() && is_timeout(&found) {
         found = device.connect(all);
@@ -94,7 +94,7 @@ pub async fn open_async(
     let line = crate::device::AsyncLine::open(place).await.map_err(DeviceError::Port)?;
     let given = line.named_baud();
     let mut device = crate::device::TokioDevice::at(line);
-    let all = if device.baud().is_some() { &BAUD_RATES[..] } else { &[] };
+    let all = if device.baud().is_some() { BAUD_RATES } else { &[] };
     let mut found = device.connect(given.as_ref().map_or(all, core::slice::from_ref)).await;
     if given.is_some() && is_timeout(&found) {
         found = device.connect(all).await;
