@@ -39,6 +39,19 @@ BREAKS = [
      "python: - mip_protocol.sensor.ScaledAccel.scaled_accel: types.Vector3f"),
     ("javascript/sensor.d.mts", "    scaledAccel: types.Vector3f;", "    scaledAccel?: types.Vector3f;",
      "javascript: - sensor export declare class ScaledAccel extends Data: scaledAccel: types.Vector3f"),
+    ("json/mip.json", '"family":"base"', '"family":"basis"', "wire: - set base 0x01 base"),
+    ("json/mip.json", '{"function":"load",', '{"function":"apply",', "wire: - base.comm_speed has the function load"),
+    ("json/mip.json", '"when":[{"parameter":"field_id","value":1', '"when":[{"parameter":"field_id","value":3',
+     "wire: - response base.gps_time_update_week_number_response (0x01, 0x84) when=["),
+    ("json/mip.json", '"key":"3dm-cv7-ahrs","type":"comm_interface"', '"key":"3dm-cv7-ahrs","type":"u8"',
+     'wire: - base.comm_speed[1] port type="comm_interface" if device is 3dm-cv7-ahrs'),
+    ("json/mip.json", '"enum":"filter_data.filter_condition"', '"enum":"filter_data.filter_state"',
+     "wire: - filter_data.cv7_status_flags.filter_condition = 0..1 enum="),
+    ("json/mip.json", '"when":{"parameter":"filter_state"', '"when":{"parameter":"dynamics_mode"',
+     "wire: - filter_data.gx5_status_flags."),
+    ("json/mip.json", '"id":"3dm-gq7","name"', '"id":"3dm-gq8","name"', "wire: - device 3dm-gq7 6284"),
+    ("json/mip.json", '{"field":"system.comm_mode","evidence"', '{"field":"base.ping","evidence"',
+     "wire: - 3dm-cv5-15 has the set system"),
 ]  # fmt: skip
 
 
@@ -63,6 +76,8 @@ def test_what_breaks_is_named(
         patch.setattr(interface, "interfaces", lambda _: lines)
         interface.write(out, kept / "0.1.0")
         assert interface.check(out, kept, "0.1.0") == 0
+        assert interface.check(out, kept, "0.0.9") == 1, "lower than a release"
+    assert "version 0.0.9 is lower than one in interface/" in capsys.readouterr().err
     shutil.copytree(kept / "0.1.0", kept / "0.0.9")
     for path in kept.glob("0.0.9/*"):
         path.write_text("of an earlier release\n", "utf-8")
@@ -74,9 +89,12 @@ def test_what_breaks_is_named(
     assert interface.check(out, kept, "0.1.1") == 1
     said = capsys.readouterr()
     for *_, line in BREAKS:
-        assert line in said.out
+        assert f"\n{line}" in f"\n{said.out}", line
     assert "version 0.1.1 is too low for that, raise it in spec/protocol.yaml" in said.err
     assert "cpp" not in said.err, "an addition is minor, which is the last number before 1.0.0"
+    shutil.rmtree(kept / "0.0.9")
+    assert interface.check(out, kept, "0.1.0") == 1
+    assert "cpp: since 0.1.0" in capsys.readouterr().err, "a version that is released does not change"
 
 
 def test_each_binding_has_each_sample(interface: ModuleType, lines: dict[str, list[str]]) -> None:
@@ -85,6 +103,20 @@ def test_each_binding_has_each_sample(interface: ModuleType, lines: dict[str, li
         text = "\n".join(own).lower().replace("_", "")
         missing = [sample for sample in interface.SAMPLES if sample.replace("_", "") not in text]
         assert not set(missing) - {"gx5_15"}, (name, missing)
+
+
+@pytest.mark.parametrize(
+    ("line", "lasting"),
+    [
+        ("known pub static ALL: &[&Profile] = &[ &CV5_10, &CV5_15, ]", "known pub static ALL: &[&Profile]"),
+        ("session pub const BAUD_RATES: &[u32] = &[ 115200 ]", "session pub const BAUD_RATES: &[u32]"),
+        ('protocol pub const VERSION: &str = "0.1.0"', "protocol pub const VERSION: &str"),
+        ("#define MIP_VERSION_NUMBER 100", "#define MIP_VERSION_NUMBER"),
+        ("packet pub const MAX_PAYLOAD: usize = 255", "packet pub const MAX_PAYLOAD: usize = 255"),
+    ],
+)
+def test_a_version_or_a_device_more_breaks_nothing(interface: ModuleType, line: str, lasting: str) -> None:
+    assert interface.lasting(line) == lasting
 
 
 @pytest.mark.parametrize(

@@ -55,9 +55,15 @@ def write(out: Path, folder: Path) -> None:
 
 def interfaces(out: Path) -> dict[str, list[str]]:
     return {"wire": sorted(set(wire(out)))} | {
-        name: sorted({line for file, line in of(out) if is_common(out, file) or is_sample(line)})
+        name: sorted({lasting(line) for file, line in of(out) if is_common(out, file) or is_sample(line)})
         for name, of in BINDINGS.items()
     }
+
+
+def lasting(line: str) -> str:
+    """The line without the version, and without the items of lists that get more with devices and clocks."""
+    line = re.sub(r"(\b(?:MIP_)?VERSION(?:_NUMBER|: &str)?)[ =]+[\d.\"']+$", r"\1", line)
+    return re.sub(r"(\b(?:ALL|BAUD_RATES): &[^=]*) = .*", r"\1", line)
 
 
 def is_common(out: Path, file: str) -> bool:
@@ -78,12 +84,22 @@ def model(out: Path) -> Any:
 
 
 def check(out: Path, kept: Path, version: str) -> int:
-    """Prints what was added and removed; 1 if the version is too low for that."""
-    releases = sorted(kept.glob("*/"), key=lambda folder: [int(x) for x in folder.name.split(".")])
-    if not releases:
-        return 0  # nothing is released
-    status, now, released = 0, interfaces(out), releases[-1].name
-    for path in sorted(releases[-1].glob("*.txt")):
+    """Prints what was added and removed since the release before this version, and since this one, if its interface is
+    kept; 1 if the version is too low for that."""
+    releases = {numbers(folder.name): folder for folder in kept.glob("*/")}
+    if releases and numbers(version) < max(releases):
+        print(f"make: version {version} is lower than one in {kept.name}/", file=sys.stderr)
+        return 1
+    before = sorted(x for x in releases if x < numbers(version))[-1:]
+    compared = [releases[x] for x in [*before, numbers(version)] if x in releases]
+    now = interfaces(out) if compared else {}
+    return max((since(folder, now, version) for folder in compared), default=0)
+
+
+def since(release: Path, now: dict[str, list[str]], version: str) -> int:
+    """Compares with one release."""
+    status = 0
+    for path in sorted(release.glob("*.txt")):
         before = path.read_text("utf-8").splitlines()
         gone, new = (
             [x for x in a if x not in b] for a, b in ((before, set(now[path.stem])), (now[path.stem], set(before)))
@@ -91,19 +107,23 @@ def check(out: Path, kept: Path, version: str) -> int:
         for sign, lines in (("-", gone), ("+", new)):
             for line in lines:
                 print(f"{path.stem}: {sign} {line}")
-        if raised(released, version) < (2 if gone else 1 if new else 0):
+        if raised(release.name, version) < (2 if gone else 1 if new else 0):
             status = 1
             print(
-                f"make: {path.stem}: since {released}, lines of the interface gone: {len(gone)}, new: {len(new)}; "
+                f"make: {path.stem}: since {release.name}, lines of the interface gone: {len(gone)}, new: {len(new)}; "
                 f"version {version} is too low for that, raise it in spec/protocol.yaml (docs/versions.md)",
                 file=sys.stderr,
             )
     return status
 
 
+def numbers(version: str) -> tuple[int, ...]:
+    return tuple(int(x) for x in version.split("."))
+
+
 def raised(old: str, new: str) -> int:
     """2 for a major version, 1 for a minor one, 0 for a patch; before 1.0.0, one number further to the right."""
-    before, after = ([int(x) for x in text.split(".")] for text in (old, new))
+    before, after = numbers(old), numbers(new)
     first = next((i for i in range(3) if after[i] != before[i]), 3)
     return max(0, 2 - first + (before[0] == 0 and first > 0))
 
@@ -113,24 +133,36 @@ def raised(old: str, new: str) -> int:
 
 def wire(out: Path) -> Iterator[str]:
     for s in model(out)["sets"]:
-        yield f"set {s['name']} 0x{s['number']:02X}"
+        yield f"set {s['name']} 0x{s['number']:02X} {s['family']}"
     for t in model(out)["types"]:
         yield f"{t['kind']} {t['name']} {t.get('scalar', '')}".rstrip()
         for value in t.get("values", []):
             yield f"{t['name']}.{value['name']} = {value['value']}"
         for bits in t.get("bits", []):
-            yield f"{t['name']}.{bits['name']} = {bits['first']}..{bits['last']}"
+            yield f"{t['name']}.{bits['name']} = {bits['first']}..{bits['last']}{decisive(bits)}"
         yield from parameters(t)
     for f in model(out)["fields"]:
         sets = " ".join(f"0x{o['set']:02X}" for o in f.get("occurrences", [{"set": f["set"]}]))
-        yield f"{f['role']} {f['name']} ({sets}, 0x{f['descriptor']:02X})"
+        yield f"{f['role']} {f['name']} ({sets}, 0x{f['descriptor']:02X}){decisive(f)}"
+        yield from (f"{f['name']} has the function {call['function']}" for call in f.get("calls", []))
+        yield from (f"{f['name']} is sent by {device}" for device in f.get("devices", []))
         for response in f.get("responses", []):
             yield f"{f['name']} is answered by {json.dumps(response)}"
         yield from parameters(f)
+    for d in model(out)["devices"]:
+        yield f"device {d['id']} {d['model_number']}"
+        for name in {x["field"].partition(".")[0] for x in d["supports"]}:
+            yield f"{d['id']} has the set {name}"
 
 
-#: The keys of a parameter that decide its bytes and their meaning.
+#: The keys of a field, a parameter, a variant of one, or a bit, that decide its bytes and their meaning.
 DECIDES = (
+    "when",
+    "silent_when",
+    "silenced_by",
+    "enum",
+    "member",
+    "elements",
     "type",
     "length",
     "counts",
@@ -145,13 +177,19 @@ DECIDES = (
 )
 
 
+def decisive(of: dict[str, Any]) -> str:
+    return "".join(f" {key}={json.dumps(of[key])}" for key in DECIDES if key in of)
+
+
 def parameters(of: dict[str, Any]) -> Iterator[str]:
     for number, p in enumerate(of.get("parameters", [])):
-        decisive = " ".join(f"{key}={json.dumps(p[key])}" for key in DECIDES if key in p)
-        yield f"{of['name']}[{number}] {p['name']} {decisive}"
+        parameter = f"{of['name']}[{number}] {p['name']}"
+        yield f"{parameter}{decisive(p)}"
         for case in p.get("cases", []):
-            case_type = case.get("parameter", {}).get("type", "nothing")
-            yield f"{of['name']}[{number}] {p['name']} {case_type} if {case['tag']}"
+            yield f"{parameter} {case.get('parameter', {}).get('type', 'nothing')} if {case['tag']}"
+        for variant in p.get("variants", []):
+            if decisive(variant):
+                yield f"{parameter}{decisive(variant)} if {variant['by']} is {variant['key']}"
 
 
 # ------------------------------------------------------------------- languages with braces
