@@ -37,6 +37,9 @@ def test_files_of_the_host(path: Path) -> None:
         ("tools/mip_tools/__init__.py", '^__version__ = "(.*)"'),
         ("tools/mip_simulator/__init__.py", '^__version__ = "(.*)"'),
         ("tools/mip_simulator/pyproject.toml", '"mip-tools==(.*?)"'),
+        ("generator/mipgen/__init__.py", '^__version__ = "(.*)"'),
+        ("CHANGELOG.md", r"\A# Changelog\n[^#]*## (\S+) "),
+        ("runtime/rust/CHANGELOG.md", r"\A# Changelog\n[^#]*## (\S+) "),
     ],
 )
 def test_what_has_the_version_of_the_specification(path: str, pattern: str) -> None:

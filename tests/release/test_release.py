@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import importlib
+import importlib.util
+import io
 import json
 import os
 import re
@@ -13,10 +15,14 @@ import subprocess
 import sys
 import tarfile
 import zipfile
+from collections.abc import Iterator
+from email.message import Message
 from functools import cache
 from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
+from urllib.error import HTTPError, URLError
 
 import c_build
 import jsonschema_rs
@@ -31,9 +37,9 @@ MESSAGE = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
 pytestmark = pytest.mark.xdist_group("release")  # which is built once
 
 
-def run(*command: str | Path, cwd: Path) -> str:
+def run(*command: str | Path, cwd: Path, umask: int = -1) -> str:
     clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "MIP"))}
-    done = subprocess.run([str(c) for c in command], cwd=cwd, env=clean, capture_output=True, text=True)
+    done = subprocess.run([str(c) for c in command], cwd=cwd, env=clean, umask=umask, capture_output=True, text=True)
     assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
     return done.stdout
 
@@ -76,9 +82,44 @@ def test_a_registry_must_have_what_was_built(
         publish.compare(tmp_path / "file", iter(replies).__next__)
 
 
-def built(name: str) -> Path:
+def test_what_a_registry_has_is_not_uploaded_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """So that a job which failed after the upload can be run again."""
+    for name in ("mip-protocol-1.0.0.tgz", "mip-protocol-1.0.0.crate"):
+        (tmp_path / name).write_bytes(b"the bytes")
+    monkeypatch.delattr(publish, "run")
+    for publisher in (publish.npm, publish.crates):
+        monkeypatch.setattr(publish, "fetch", lambda address: b"the bytes")
+        publisher(tmp_path, False)
+        monkeypatch.setattr(publish, "fetch", lambda address: b"other bytes")
+        with pytest.raises(SystemExit, match="the registry has other bytes"):
+            publisher(tmp_path, False)
+
+
+def test_a_registry_without_an_answer_is_asked_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def status(code: int) -> HTTPError:
+        return HTTPError("https://pypi.org", code, "", Message(), None)
+
+    listed = {"urls": [{"filename": "mip_tools-1.0.0.tar.gz", "url": "https://files.pythonhosted.org"}]}
+    last = [io.BytesIO(json.dumps(listed).encode()), io.BytesIO(b"the bytes")]
+    for errors in ([status(404), status(403), status(502), URLError("unreachable"), TimeoutError()], [status(401)]):
+        replies = iter([*errors, *last])
+
+        def urlopen(address: str, timeout: int, replies: Iterator[Any] = replies) -> io.BytesIO:
+            reply = next(replies)
+            if isinstance(reply, io.BytesIO):
+                return reply
+            raise reply
+
+        (tmp_path / "mip_tools-1.0.0.tar.gz").write_bytes(b"the bytes")
+        monkeypatch.setattr(publish, "PAUSE", 0)
+        monkeypatch.setattr("urllib.request.urlopen", urlopen)
+        with contextlib.nullcontext() if len(errors) > 1 else pytest.raises(HTTPError):
+            publish.pypi(tmp_path, False)
+
+
+def built(name: str, umask: int = 0o022) -> Path:
     dist = BUILD / "release" / name
-    run(sys.executable, ROOT / "tools/release/build.py", "--dist", dist, cwd=ROOT)
+    run(sys.executable, ROOT / "tools/release/build.py", "--dist", dist, cwd=ROOT, umask=umask)
     return dist
 
 
@@ -94,7 +135,7 @@ def the(pattern: str) -> Path:
 
 @packaging
 def test_a_second_build_has_the_same_bytes() -> None:
-    once, twice = ({p.name: p.read_bytes() for p in d.iterdir()} for d in (dist(), built("twice")))
+    once, twice = ({p.name: p.read_bytes() for p in d.iterdir()} for d in (dist(), built("twice", umask=0o077)))
     assert once.keys() == twice.keys()
     assert [name for name in once if once[name] != twice[name]] == []
 
@@ -130,6 +171,17 @@ def test_sums_bill_and_notes_name_everything() -> None:
 
 
 @packaging
+def test_the_notes_are_those_of_the_version(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    spec = importlib.util.spec_from_file_location("build_release", ROOT / "tools/release/build.py")
+    assert spec and spec.loader
+    build = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(build)
+    monkeypatch.setattr(build, "VERSION", "0.0.1")
+    with pytest.raises(SystemExit, match=r"the first heading is '## .*', not '## 0\.0\.1 \(date\)'"):
+        build.notes()
+
+
+@packaging
 @pytest.mark.parametrize("form", ["wheel", "source"])
 def test_python(tmp_path: Path, form: str) -> None:
     run(sys.executable, "-m", "venv", "--without-pip", tmp_path / "venv", cwd=tmp_path)
@@ -146,6 +198,10 @@ def test_python(tmp_path: Path, form: str) -> None:
             (metadata,) = (name for name in packed.namelist() if name.endswith(".dist-info/METADATA"))
             assert packed.read(metadata).startswith(b"Metadata-Version: 2.4\n"), "twine knows no newer one"
     protocol, simulator, tools = packages
+    assert ("-cp310-abi3-" in tools.name) == (form == "source")
+    with zipfile.ZipFile(tools) as packed:
+        compiled = [name for name in packed.namelist() if name.startswith("mip_tools/columns/_kernel.")]
+        assert len(compiled) == (form == "source") and "mip_tools/columns/kernel.c" not in packed.namelist()
     install = (sys.executable, "-m", "pip", "--python", python, "install", "--no-index", "--no-deps")
     run(*install, protocol, tools, cwd=tmp_path)
     assert "g" in run(python, ROOT / "generated/python/quickstart.py", cwd=tmp_path)
@@ -253,6 +309,37 @@ def test_registries_follow_one_another() -> None:
     jobs = yaml.safe_load((ROOT / ".github/workflows/release.yml").read_text("utf-8"))["jobs"]
     order = ["draft", *importlib.import_module("publish").REGISTRIES, "github"]
     assert [jobs[later]["needs"] for later in order[1:]] == order[:-1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "passes"),
+    [("", "", True), ("version: 1.2.3", "version: 1.3.0", False), ("repository: ", "homepage: ", False),
+     ("2026-12-01", "unreleased", False)],
+)  # fmt: skip
+def test_a_tag_must_fit(tmp_path: Path, old: str, new: str, passes: bool) -> None:
+    files = {"spec/protocol.yaml": "version: 1.2.3\nrepository: https://example.com\n",
+             "CHANGELOG.md": "# Changelog\n\n## 1.2.3 (2026-12-01)\n"}  # fmt: skip
+    (tmp_path / "spec").mkdir()
+    for name, text in files.items():
+        (tmp_path / name).write_text(text.replace(old, new), "utf-8")
+    steps = yaml.safe_load((ROOT / ".github/workflows/release.yml").read_text("utf-8"))["jobs"]["build"]["steps"]
+    (step,) = (step["run"] for step in steps if step.get("name", "").startswith("the tag is that of"))
+    environment = {**os.environ, "GITHUB_REF_NAME": "v1.2.3"}
+    assert (subprocess.run(["bash", "-ec", step], cwd=tmp_path, env=environment).returncode == 0) == passes
+
+
+def test_each_python_package_has_an_environment() -> None:
+    """Which the page names, and the wheels of each platform are tested with a package that is there."""
+    jobs = yaml.safe_load((ROOT / ".github/workflows/release.yml").read_text("utf-8"))["jobs"]
+    page = (ROOT / "docs/versions.md").read_text("utf-8")
+    named = re.findall(r"`pypi-(\w+)`", page)
+    assert (
+        sorted(named)
+        == sorted(jobs["pypi"]["strategy"]["matrix"]["package"])
+        == ["mip_protocol", "mip_simulator", "mip_tools"]
+    )
+    (needed,) = re.findall(r"pip install \{project\}/([\w/]+)", (ROOT / "tools/pyproject.toml").read_text("utf-8"))
+    assert (ROOT / needed / "pyproject.toml").is_file()
 
 
 def test_actions_of_others_are_pinned() -> None:

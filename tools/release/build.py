@@ -17,6 +17,7 @@ import gzip
 import hashlib
 import io
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -116,9 +117,11 @@ def every(folder: Path) -> list[Path]:
 
 
 def notes() -> str:
-    """The section of the changelog about the version."""
-    text = (ROOT / "CHANGELOG.md").read_text("utf-8")
-    return re.split(r"^## .*\n+", text, flags=re.M)[1].strip() + "\n"
+    """The section of the changelog about the version, which is the first one."""
+    _, heading, text, *_ = re.split(r"^## (.*)\n+", (ROOT / "CHANGELOG.md").read_text("utf-8"), flags=re.M)
+    if not re.fullmatch(rf"{re.escape(VERSION)} \(.+\)", heading):
+        sys.exit(f"CHANGELOG.md: the first heading is '## {heading}', not '## {VERSION} (date)'")
+    return text.strip() + "\n"
 
 
 def sums(dist: Path) -> dict[str, str]:
@@ -188,6 +191,7 @@ def bill(digests: dict[str, str], needed: dict[str, dict[str, bool]]) -> str:
 
 
 def release(dist: Path, site: Path | None) -> None:
+    about = notes()
     shutil.rmtree(dist, ignore_errors=True)
     dist.mkdir(parents=True)
     python(GENERATED / "python", dist)
@@ -205,7 +209,7 @@ def release(dist: Path, site: Path | None) -> None:
         archive(site, dist / f"mip-reference-{VERSION}.zip", "mip-reference", every)
     listed = sums(dist)
     (dist / "sbom.cdx.json").write_text(bill(listed, needs(dist)), "utf-8")
-    (dist / "NOTES.md").write_text(notes(), "utf-8")
+    (dist / "NOTES.md").write_text(about, "utf-8")
     (dist / "SHA256SUMS").write_text("".join(f"{digest}  {name}\n" for name, digest in sums(dist).items()), "utf-8")
 
 
@@ -218,6 +222,7 @@ def main() -> None:
         sys.exit(
             f"{name}: the repository is {REPOSITORY or 'not'} in spec/protocol.yaml, and here {addresses or 'missing'}"
         )
+    os.umask(0o022)  # packages contain the modes of files
     release(options.dist.resolve(), options.site)
     for path in sorted(options.dist.iterdir()):
         print(f"{path.stat().st_size:10} {path.name}")

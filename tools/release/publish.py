@@ -30,9 +30,11 @@ ATTEMPTS, PAUSE = 20, 30  # seconds: a registry takes some minutes to show what 
 
 def npm(dist: Path, rehearse: bool) -> None:
     (package,) = dist.glob("mip-protocol-*.tgz")
-    run("npm", "publish", package, "--access", "public", "--dry-run" if rehearse else "--provenance", cwd=dist)
+    address = f"https://registry.npmjs.org/mip-protocol/-/{package.name}"
+    if rehearse or not has(package, fetch(address)):
+        run("npm", "publish", package, "--access", "public", "--dry-run" if rehearse else "--provenance", cwd=dist)
     if not rehearse:
-        compare(package, lambda: fetch(f"https://registry.npmjs.org/mip-protocol/-/{package.name}"))
+        compare(package, lambda: fetch(address))
 
 
 def pypi(dist: Path, rehearse: bool) -> None:
@@ -49,7 +51,8 @@ def pypi(dist: Path, rehearse: bool) -> None:
         project = package.name.partition("-")[0]
 
         def uploaded(name: str = package.name, about: str = f"https://pypi.org/pypi/{project}/{VERSION}/json") -> bytes:
-            return next((fetch(x["url"]) for x in json.loads(fetch(about))["urls"] if x["filename"] == name), b"")
+            listed = json.loads(fetch(about) or b'{"urls": []}')["urls"]
+            return next((fetch(x["url"]) for x in listed if x["filename"] == name), b"")
 
         compare(package, uploaded)
 
@@ -57,6 +60,9 @@ def pypi(dist: Path, rehearse: bool) -> None:
 def crates(dist: Path, rehearse: bool) -> None:
     """Publishes the crate only if cargo packs the one in dist/ again, which is attested."""
     (crate,) = dist.glob("mip-protocol-*.crate")
+    address = f"https://static.crates.io/crates/mip-protocol/{crate.name}"
+    if not rehearse and has(crate, fetch(address)):
+        return
     with tempfile.TemporaryDirectory() as scratch:
         source, target = copied(GENERATED / "rust", Path(scratch) / "source"), Path(scratch) / "target"
         # The versions that cargo chose at that time are in the crate: cargo would choose newer ones now.
@@ -64,7 +70,7 @@ def crates(dist: Path, rehearse: bool) -> None:
             (source / "Cargo.lock").write_bytes(lock.read())
         run("cargo", "package", "--quiet", "--no-verify", "--locked", "--target-dir", target, cwd=source)
         if (target / "package" / crate.name).read_bytes() != crate.read_bytes():
-            sys.exit(f"dist/{crate.name} is not what cargo packs from generated/rust; run make release again")
+            sys.exit(f"dist/{crate.name} is not what this version of cargo packs from generated/rust")
         run(
             "cargo",
             "publish",
@@ -76,21 +82,28 @@ def crates(dist: Path, rehearse: bool) -> None:
             cwd=source,
         )
     if not rehearse:
-        compare(crate, lambda: fetch(f"https://static.crates.io/crates/mip-protocol/{crate.name}"))
+        compare(crate, lambda: fetch(address))
 
 
 REGISTRIES: dict[str, Callable[[Path, bool], None]] = {"npm": npm, "pypi": pypi, "crates": crates}
 
 
 def fetch(address: str) -> bytes:
-    """What is at the address; nothing as long as the registry does not have it."""
+    """What is at the address; nothing as long as the registry does not have it, or cannot be asked."""
     try:
-        with urllib.request.urlopen(address) as reply:
+        with urllib.request.urlopen(address, timeout=PAUSE) as reply:
             return bytes(reply.read())
-    except urllib.error.HTTPError as error:
-        if error.code != 404:
+    except OSError as error:  # storage without a list of its files denies access (403) to what it lacks
+        if isinstance(error, urllib.error.HTTPError) and error.code < 500 and error.code not in (403, 404, 429):
             raise
-        return b'{"urls": []}' if address.endswith("/json") else b""
+        return b""
+
+
+def has(file: Path, published: bytes) -> bool:
+    """Does the registry have the file? Ends the program if it has other bytes."""
+    if published and published != file.read_bytes():
+        sys.exit(f"{file.name}: the registry has other bytes, SHA-256 {hashlib.sha256(published).hexdigest()}")
+    return bool(published)
 
 
 def compare(file: Path, published: Callable[[], bytes]) -> None:
@@ -98,10 +111,8 @@ def compare(file: Path, published: Callable[[], bytes]) -> None:
     for attempt in range(ATTEMPTS):
         if attempt:
             time.sleep(PAUSE)
-        if data := published():
-            if data == file.read_bytes():
-                return
-            sys.exit(f"{file.name}: the registry has other bytes, SHA-256 {hashlib.sha256(data).hexdigest()}")
+        if has(file, published()):
+            return
     sys.exit(f"{file.name}: the registry does not have it after {ATTEMPTS * PAUSE // 60} minutes")
 
 
