@@ -13,6 +13,7 @@ const load = (name) => import(pathToFileURL(path.resolve(process.env.FOLDER, nam
 await import(pathToFileURL(script));
 const { Protocol, buildPacket, bytesOfText, find, indexOf, initialValues, inspect, model, toHex } = globalThis.mip;
 const protocol = new Protocol(model);
+const real = protocol.fields.has("shared.reference_timestamp") && protocol.fields.has("sensor.scaled_accel");
 
 test("the script has all of the codec and decodes as it does, and nothing is global but `mip`", async () => {
     const context = vm.createContext({ TextEncoder });
@@ -103,55 +104,22 @@ test("nothing is found by nothing", () => {
 const PING = "756501020201e0c6";
 
 test("bytes are read in the forms in which programs and tools write them", () => {
-    for (const text of [
-        "7565 0102\n0201  e0c6",
-        "7565  0102\n0201  e0c6",
-        "0120  75 65 01 02  ue..\n0124  02 01 e0 c6  ....",
-        "20001000  75 65 01 02  ue..\n20001004  02 01 e0 c6  ....",
-        "0x20001000: 75 65 01 02 02 01 e0 c6",
-        "00000000: 7565 0102  ue..\n00000004: 0201 e0c6  ....",
-        String.raw`b"ue\001\002\002\001\340\306"`,
-        String.raw`b"ue\1\2\2\1\xe0\xc6"`,
-        String.raw`"ue\1\2\2\1\340\306"`,
-        String.raw`write(3, "ue\1\2\2\1\340\306", 8) = 8`,
+    const texts = JSON.parse(fs.readFileSync(new URL("../pasted.json", import.meta.url), "utf8"));
+    texts[PING].push(
         String.raw`don't: 'ue\x01\x02\x02\x01\xe0\xc6'`,
         String.raw`printf \165\145\001\002\002\001\340\306`,
-        "{0x75u, 0x65u, 0x01u, 0x02U, 0x02u, 0x01ul, 0xE0u, 0xC6u}",
-        "[0x75u8, 0x65, 1, 2, 2, 1, 0xE0, 0xC6]",
-        "[0x75_u8, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6]",
-        "0x7565_0102_0201_e0c6",
-        "&H75, &H65, &H01, &H02, &H02, &H1, &HE0, &HC6",
-        "75_65_01_02_02_01_e0_c6",
-        "75.65.01.02.02.01.E0.C6",
-        "75-65-01-02-02-01-E0-C6",
-        "bytearray([117, 101, 1, 2, 2, 1, 224, 198])",
-        "Uint8Array(8) [\n  117, 101,   1,   2,\n    2,   1, 224, 198\n]",
-        "$1 = {117, 101, 1, 2, 2, 1, 224, 198}",
-        "[117u8, 101, 1, 2, 2, 1, 224, 198]",
-        "[117, 101, 1, 2, 2, 1, -32, -58]",
-        "[117 101   1   2   2   1 224 198]",
-        "dWUBAgIB4MY=",
         '{"data": "dWUBAgIB4MY"}',
-        "[10:11:12.345] 75 65 01 02\n[10:11:12.346] 02 01 e0 c6",
-        "10:11:12 75 65 01 02\n10:11:13 02 01 e0 c6",
-        "2026-01-02T10:11:12.345Z 75 65 01 02\n2026-01-02T10:11:12.346Z 02 01 e0 c6",
-        "2026-01-02 10:11:12,345 75 65 01 02\n2026-01-02 10:11:12,346 02 01 e0 c6",
-        "0x75, 0x65, // sync 10\n0x01, /* set 20 */ 0x02, 0x02, 0x01, /* 30\n40 */ 0xe0, 0xc6",
-        "0x75, // 10\n0x65, // 11\n0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6",
-        "// 75 65 01 02 02 01 e0 c6",
-        "// 75 65 01 02\n// 02 01 e0 c6",
-        String.raw`// "\x75\x65\x01\x02\x02\x01\xe0\xc6"`,
-        "/* {0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xe0, 0xc6} */",
-        "75:65:01:02:02:01:e0:c6",
         "75h 65h 01h 02h 02h 01h E0h C6h",
-        "00000000: 7565 0102 0201 e0c6                      ue......",
-        "75 65 1 2 2 1 e0 c6",
         "sent: 75 65 1 2 2 1 e0 c6\n",
         "75 65 1 2 2 1 e0 c6 is a ping",
-        "{0x75,0x65,1,2,2,1,0xE0,0xC6}; // 3 ms",
-        "sent: 75 65 01 02 02\nthen: 01 e0 c6",
-    ]) {
-        assert.equal(toHex(bytesOfText(text).bytes), PING, text);
+        "=> md.b 80000000 8\n80000000: 75 65 01 02    ue..\n80000004: 02 01 e0 c6    ....",
+        "[2024-08-02T12:00:01Z INFO  mip] rx [75, 65, 01, 02, 02, 01, e0, c6]",
+        "TX: 75 65 01 02 RX: 02 01 e0 c6",
+        "[75] [65] [01] [02] [02] [01] [e0] [c6]",
+        "0x75 65 01 02 02 01 e0 c6",
+    );
+    for (const [bytes, some] of Object.entries(texts)) {
+        for (const text of some) assert.equal(toHex(bytesOfText(text).bytes), bytes, text);
     }
 });
 
@@ -172,6 +140,8 @@ test("what is left out of a pasted text is listed", () => {
     for (const [text, ignored] of [
         ["7565 0102\n0201  e0c6", []],
         ["0124: 75 65 01 02", ["0124"]],
+        ["0124: 75 65 then 01 02", ["0124", "then"]],
+        ["I (1234) uart: 75 65 01 02", ["I (1234) uart"]],
         ["0124: 75 65 01 02  ue..\n0128: 02 01 e0 c6  ....", []],
         ["[10:11:12.345] 75 65", ["10:11:12.345"]],
         ["0x75, // sync 10\n0x65", ["// sync 10"]],
@@ -230,8 +200,6 @@ const regular = (count) => Array.from({ length: count }, (_, i) => 5 + i / 100);
 async function* pieces(bytes, size) {
     for (let at = 0; at < bytes.length; at += size) yield bytes.subarray(at, at + size);
 }
-
-const real = protocol.fields.has("shared.reference_timestamp") && protocol.fields.has("sensor.scaled_accel");
 
 test("a log in pieces of any size has the same packets, rates and gaps", { skip: !real && "of the real specification" }, async () => {
     const { survey } = globalThis.mip;

@@ -92,6 +92,13 @@ def test_notations_of_bytes_are_read(name: str, tmp_path: Path) -> None:
     assert mip("info", tmp_path / "log.txt", "--json")[1].count('"packets"') > 1
 
 
+def test_texts_that_the_workbench_reads_too() -> None:
+    for wanted, texts in json.loads((ROOT / "tests/pasted.json").read_text("utf-8")).items():
+        for text in texts:
+            data = from_text(text.encode())
+            assert data is not None and data.hex() == wanted, text
+
+
 def test_long_texts_are_read_as_a_whole(tmp_path: Path) -> None:
     data = STREAM * (1 + 40_000 // len(STREAM))
     for text in (

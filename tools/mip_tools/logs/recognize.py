@@ -76,7 +76,8 @@ def without_checksum(data: bytes) -> Packet | None:
 def from_text(text: bytes) -> bytes | None:
     """Converts bytes that a program, a language or a terminal has printed; None if this is no such text.
 
-    What a notation makes of it counts if it contains a packet, or begins as one. The end of the text may be cut off.
+    What a notation makes of it counts if it begins as a packet, or else contains one. The end of the text may be cut
+    off.
     """
     text = text.removeprefix(b"\xef\xbb\xbf")
     begin = text[:MOST]
@@ -88,14 +89,17 @@ def from_text(text: bytes) -> bytes | None:
 
 
 def _first(text: str, notations: Sequence[Callable[[str], bytes | None]]) -> bytes | None:
+    begun: bytes | None = None  # a log may begin within a packet, and an offset looks like bytes
     for notation in notations:
         try:
             data = notation(text)
         except (ValueError, TypeError, StopIteration, RecursionError):  # as JSON with too many brackets
             continue
-        if data is not None and (data.startswith(SYNC) or count_packets(data)):
+        if data is not None and data.startswith(SYNC):
             return data
-    return None
+        if begun is None and data is not None and count_packets(data):
+            begun = data
+    return begun
 
 
 def _hex(words: Iterable[str]) -> bytes:
@@ -105,13 +109,24 @@ def _hex(words: Iterable[str]) -> bytes:
 
 
 def _words(text: str) -> bytes:
-    """`75 65 80 E`, `0x75, 0x65`, `75-65-80`, `75:65`, `7565 800e`."""
-    return _hex(re.findall(r"[^\s,;:-]+", text))
+    """`75 65 80 E`, `0x75, 0x65`, `75-65-80`, `75:65`, `75.65`, `7565 800e`, `0x7565_800e`."""
+    return _hex(re.findall(r"[^\s,;:._-]+", text))
 
 
 def _numbers(text: str) -> bytes:
     """`[117, 101, 128]`, `117 101 128`; negative ones are signed bytes."""
     return bytes(int(word) & 0xFF for word in re.findall(r"[^\s,;\[\](){}]+", text.rstrip("-")))
+
+
+def _items(text: str) -> bytes:
+    """Numbers of a list among words: `array([117, 101], dtype=uint8)`, `[117u8, 101]`, lines with `- 117` of YAML."""
+    return bytes(int(word) & 0xFF for word in re.findall(r"(?<![\w.])(-?\d{1,3})(?:u8)?(?![\w.])", text))
+
+
+def _prefixed(text: str) -> bytes:
+    """Bytes with a prefix among offsets, indexes and times without one: `buf[12] = 0x75`, `0x7ffe40: 0x75 0x65`."""
+    find = re.compile(r"(?:\b0x|&h)([0-9a-f]{1,2})(?!\w)", re.I).findall
+    return _hex(find(re.sub(r"//.*|/\*(?s:.*?)\*/", "", text)) or find(text))
 
 
 def _array(text: str) -> bytes | None:
@@ -162,39 +177,49 @@ def _buffer(text: str) -> bytes | None:
 
 
 #: Bytes or groups of them, before the end of a line or a column of text.
-_DUMPED = re.compile(r"((?:[0-9a-fA-F]{2})+(?: {1,2}(?:[0-9a-fA-F]{2})+)*)(?=\s*$|\s{2,}|\s*[|>])")
+_DUMPED = re.compile(r"((?:[0-9a-fA-F]{2})+(?:(?: {1,2}| ?- ?)(?:[0-9a-fA-F]{2})+)*)(?=\s*$|\s{2,}|\s*[|>;])")
 #: What precedes them: an offset, a time or a name.
 _PREFIX = re.compile(
-    r"[0-9a-fA-F]{4,16}:?\s{1,4}(?=[0-9a-fA-F]{2})|[\])>#:]\s*(?=[0-9a-fA-F]{2})|^\s*(?=[0-9a-fA-F]{2})"
+    r"[0-9a-fA-F`]{4,17}h?:?\s{1,4}(?=[0-9a-fA-F]{2})|(?:[\])>#:=]|//|\s-\s)\s*(?=[0-9a-fA-F]{2})|^\s*(?=[0-9a-fA-F]{2})"
 )
+_TIME = re.compile(r"\d\d?:\d\d:\d\d[.,\d]*(?:Z|[+-]\d\d:?\d\d)?(?=\s)")
 
 
 #: Characters in which a prefix begins: to try each place of a long line would take minutes.
 _MOST_PREFIX = 120
-_OFFSET = re.compile(r"\s*([0-9a-fA-F]{4,16})(?=[:\s]|\Z)")
+_OFFSET = re.compile(r"\s*(?:0x)?([0-9a-fA-F`]{4,17})(?=h?[:\s]|\Z)")
 
 
 def _dump(text: str) -> bytes | None:
-    """Lines of `xxd`, `hexdump -C`, Wireshark, `candump` or a terminal: an offset, a time or a name, and bytes."""
+    """Lines of `xxd`, `hexdump -C`, Wireshark, `candump` or a terminal: an offset, a time or a name, and bytes.
+
+    Half of the lines may be other text, such as a heading.
+    """
     rows: list[tuple[int, bytes]] = []  # with their offsets, if these are offsets
     repeated = set()
     lines = [line for line in text.splitlines() if line.strip()]
+    others = 0
     for number, line in enumerate(lines):
         if line.strip() == "*" and rows:  # the last row is repeated up to the next offset
             repeated.add(len(rows) - 1)
             continue
         prefixed = _OFFSET.match(line)
-        offset = int(prefixed[1], 16) if prefixed else 0
-        if re.fullmatch(r"\s*[0-9a-fA-F]{7,16}\s*", line) and rows:  # the size at the end
-            rows.append((offset, b""))
+        offset = int(prefixed[1].replace("`", ""), 16) if prefixed else 0
+        alone = rows and re.fullmatch(r"\s*[0-9a-fA-F]{4,16}\s*", line)
+        if alone and (len(line.strip()) > 6 or offset == rows[-1][0] + len(rows[-1][1])):
+            rows.append((offset, b""))  # the size at the end
             continue
+        line = _TIME.sub("]", line)
         found = (_DUMPED.match(line, prefix.end()) for prefix in _PREFIX.finditer(line, 0, _MOST_PREFIX))
-        row = next((match[1] for match in found if match), None)
+        row = max((match[1] for match in found if match), key=len, default=None)
         if row is None and rows and number == len(lines) - 1 and not text.endswith("\n"):
             break  # the line is cut off
         if row is None:
-            return None
-        rows.append((offset, bytes.fromhex(row)))
+            others += 1
+            continue
+        rows.append((offset, bytes.fromhex(row.replace("-", ""))))
+    if others > len(rows):
+        return None
     data, size = bytearray(), 0
     for number, ((offset, row), (following, _)) in enumerate(pairwise([*rows, (0, b"")])):
         size = following - offset if number < len(rows) - 1 else size
@@ -212,7 +237,9 @@ def _intel(text: str) -> bytes:
     return b"".join(record[4:-1] for record in records if len(record) > 4 and record[3] == 0)
 
 
-_PLAIN: tuple[Callable[[str], bytes | None], ...] = (_words, _dump, _numbers, _escapes, _array, _base64, _intel)
+_PLAIN: tuple[Callable[[str], bytes | None], ...] = (
+    _words, _dump, _numbers, _escapes, _array, _base64, _intel, _prefixed, _items,
+)  # fmt: skip
 _NOTATIONS = (*_PLAIN, _json, _buffer)
 
 
