@@ -3104,11 +3104,13 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagHardIronOffsetResponse`. Affects
  * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST; likely or assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only.
- * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
+ * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer. Uncertain: The
+ * sources do not state the formula; it is inferred from the terms.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
- * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
- * correction before it sends `sensor.ScaledMag`.
+ * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. Before it sends
+ * `sensor.ScaledMag`, the device corrects the field: the matrix times (measured - offset), with the matrix of
+ * `MagSoftIronMatrix`.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3146,11 +3148,13 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
  * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagSoftIronMatrixResponse`. Affects
  * `sensor.ScaledMag`. Confirmed on 3DM-CV7-AHRS, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST; likely or assumed on 14 more. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only.
- * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer.
+ * On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only. Requires a magnetometer. Uncertain: The
+ * sources do not state the formula; it is inferred from the terms.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
- * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
- * correction before it sends `sensor.ScaledMag`.
+ * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. Before it sends
+ * `sensor.ScaledMag`, the device corrects the field: the matrix times (measured - offset), with the offset of
+ * `MagHardIronOffset`.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)

@@ -3127,14 +3127,16 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  * Functions: write, read, save, load, default and apply. Response:
  * mip_3dm_mag_hard_iron_offset_response. Affects mip_sensor_scaled_mag. On the 3DM-CV7-AHRS: write,
  * read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
- * only. Requires a magnetometer.
+ * only. Requires a magnetometer. Uncertain: The sources do not state the formula; it is inferred
+ * from the terms.
  *
  * The values come from a calibration of the device as it is installed.
  *
  * On some devices, mip_filter_mag_capture_auto_calibration captures them from the filter's
  * automatic calibration.
  *
- * The device applies the correction before it sends mip_sensor_scaled_mag.
+ * Before it sends mip_sensor_scaled_mag, the device corrects the field: the matrix times (measured
+ * - offset), with the matrix of mip_3dm_mag_soft_iron_matrix.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3212,14 +3214,16 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
  * Functions: write, read, save, load, default and apply. Response:
  * mip_3dm_mag_soft_iron_matrix_response. Affects mip_sensor_scaled_mag. On the 3DM-CV7-AHRS: write,
  * read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
- * only. Requires a magnetometer.
+ * only. Requires a magnetometer. Uncertain: The sources do not state the formula; it is inferred
+ * from the terms.
  *
  * The values come from a calibration of the device as it is installed.
  *
  * On some devices, mip_filter_mag_capture_auto_calibration captures them from the filter's
  * automatic calibration.
  *
- * The device applies the correction before it sends mip_sensor_scaled_mag.
+ * Before it sends mip_sensor_scaled_mag, the device corrects the field: the matrix times (measured
+ * - offset), with the offset of mip_3dm_mag_hard_iron_offset.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)

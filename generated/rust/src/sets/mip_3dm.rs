@@ -3148,14 +3148,15 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// Requires a magnetometer.
+    /// Requires a magnetometer. Uncertain: The sources do not state the formula; it is inferred
+    /// from the terms.
     ///
     /// - The values come from a calibration of the device as it is installed.
     /// - On some devices,
     ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
     ///   them from the filter's automatic calibration.
-    /// - The device applies the correction before it sends
-    ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+    /// - Before it sends [`sensor::ScaledMag`](crate::sensor::ScaledMag), the device corrects the
+    ///   field: the matrix times (measured - offset), with the matrix of [`MagSoftIronMatrix`].
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
@@ -3231,14 +3232,15 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
-    /// Requires a magnetometer.
+    /// Requires a magnetometer. Uncertain: The sources do not state the formula; it is inferred
+    /// from the terms.
     ///
     /// - The values come from a calibration of the device as it is installed.
     /// - On some devices,
     ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
     ///   them from the filter's automatic calibration.
-    /// - The device applies the correction before it sends
-    ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
+    /// - Before it sends [`sensor::ScaledMag`](crate::sensor::ScaledMag), the device corrects the
+    ///   field: the matrix times (measured - offset), with the offset of [`MagHardIronOffset`].
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
