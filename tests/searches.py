@@ -249,6 +249,18 @@ WORDS = {
     "antenna offsets within a couple of centimeters": _fields("filter.antenna_offset", "filter.multi_antenna_offset"),
     "reset the filter after configuration": _fields("filter.reset"),
     "set declination to 0.23": _fields("filter.magnetic_declination_source"),
+    # words of practitioners
+    "unix time": ["units.html#clocks", *_fields("shared.gps_timestamp")],
+    "posix timestamp": ["units.html#clocks", *_fields("shared.gps_timestamp")],
+    "backup settings": ["project/settings.html"],
+    "model name": _fields("base.get_device_info"),
+    "allan variance": ["project/mip.html", "project/tools.html#corrections-calibration-noise"],
+    "dropped packets": ["guides/troubleshooting.html"],
+    "packet loss": ["guides/troubleshooting.html"],
+    "command timeout": ["guides/command_protocol.html"],
+    "device not showing up": [_TROUBLE + "1"],
+    "imu not detected": [_TROUBLE + "1"],
+    "ros2 driver": ["project/robots.html"],
     # enumerators and names of the vendor, and of MSCL
     "MIP_3DM_PPS_SOURCE_COMMAND_PPS_SOURCE_GPIO": ["fields/3dm/pps_source_control.html"],
     "MIP_FILTER_MODE_FULL_NAV": ["fields/filter_data/status.html"],

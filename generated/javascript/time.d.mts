@@ -5,7 +5,10 @@ import type { Clock as AnyClock } from "./mip/index.mjs";
 export { Times } from "./mip/index.mjs";
 
 export declare const Clock: {
-    /** GPS time, once a receiver, a PPS or the host has set it. */
+    /**
+     * GPS time, once a receiver, a PPS or the host has set it. Unix (POSIX) time is 315964800 s more, less the leap
+     * seconds.
+     */
     readonly GPS: AnyClock;
     /** Nanoseconds of the clock that is synchronized to the PPS. */
     readonly EXTERNAL: AnyClock;

@@ -99,6 +99,17 @@ test("nothing is found by nothing", () => {
     assert.deepEqual(find(index, "xyzzy"), []);
 });
 
+test("words that nothing has are named, and short words are not taken for others", { skip: !real && "of the real one" }, () => {
+    const said = (text) => globalThis.mip.missing(index, text);
+    assert.equal(said("gimbal lock"), "Nothing has “gimbal”.");
+    assert.equal(said("quaternoin"), "Nothing has “quaternoin”; searched for “quaternion”.");
+    for (const text of ["scaled_accel", "0x0D13", "xyzzy"]) assert.equal(said(text), "", text);
+    const taken = (word) => index.ranking.search(`${word} speed`).instead;
+    for (const [word, other] of [["posix"], ["wear"], ["buad", "baud"], ["antena", "antenna"], ["filtr", "filter"]]) {
+        assert.deepEqual(taken(word), [[word, other]]);
+    }
+});
+
 // ---------------------------------------------------------------------------------------------------- pasted text
 
 const PING = "756501020201e0c6";

@@ -53,6 +53,14 @@ export function find(index, text, limit = 20) {
     return [...found, ...byWords].slice(0, limit);
 }
 
+/** Says which words of a text no field has, and which were taken for them. */
+export function missing(index, text) {
+    if (exactly(index, text).length) return "";
+    const { found, instead } = index.ranking.search(text);
+    if (!found.length) return "";
+    return instead.map(([word, other]) => `Nothing has “${word}”${other ? `; searched for “${other}”` : ""}.`).join(" ");
+}
+
 /** Returns the fields of which a text is a descriptor, a name, a symbol, a keyword, or the beginning of one. */
 export function exactly(index, text) {
     const query = text.trim();

@@ -6,7 +6,7 @@ export { bandwidth } from "./bandwidth.mjs";
 export { answerOf, certaintyOn, initialValues, packetOf, typicalValues } from "./build.mjs";
 export { builder } from "./builder.mjs";
 export { fragment } from "./address.mjs";
-export { codeIn, exactly, find, indexOf, packetIn, synonymsOf, WEIGHTS } from "./find.mjs";
+export { codeIn, exactly, find, indexOf, missing, packetIn, synonymsOf, WEIGHTS } from "./find.mjs";
 export { finder } from "./finder.mjs";
 export { inspect, transactionsOf } from "./inspect.mjs";
 export { inspector } from "./inspector.mjs";

@@ -22,6 +22,11 @@ export function wordsOf(text) {
     return text.toLowerCase().match(/\d+\.\d+|[a-z0-9]+/g) ?? [];
 }
 
+/** Returns the words of a text, also two with a hyphen as one: time-out is found as timeout. */
+function searchedIn(text) {
+    return [...wordsOf(text), ...(text.toLowerCase().match(/[a-z]+-[a-z]+/g) ?? []).map((one) => one.replace("-", ""))];
+}
+
 /** Returns the words of a text that describe its subject, or all words if none do; those of a symbol such as setToIdle. */
 export function telling(text) {
     const words = [...new Set(wordsOf(text.replace(/(?<=[a-z0-9])(?=[A-Z][a-z])/g, " ")))];
@@ -70,7 +75,7 @@ export class Ranking {
     constructor(documents, weights, synonyms = []) {
         this.#count = documents.length;
         this.#phrases = documents.map(({ phrases }) => phrases.map((phrase) => telling(phrase).map(stem)));
-        const words = documents.map(({ texts }) => texts.map(wordsOf));
+        const words = documents.map(({ texts }) => texts.map(searchedIn));
         const lengths = weights.map((_, i) => words.map((texts) => texts[i].length).filter(Boolean));
         const means = lengths.map((some) => some.reduce((sum, one) => sum + one, 0) / (some.length || 1) || 1);
         for (const [at, texts] of words.entries()) {
@@ -111,10 +116,17 @@ export class Ranking {
         return this.#stems.slice(low, end);
     }
 
-    /** Returns the known word that is most like one that is not known. */
+    /**
+     * Returns the known word that is most like one that is not known. A short one, of which many words differ in a letter,
+     * may only lack one, or have two exchanged.
+     */
     #nearest(word) {
         if (word.length < 4 || /[0-9]/.test(word)) return undefined;
-        const near = [...this.#words.keys()].filter((one) => Math.abs(one.length - word.length) < 3 && !/[0-9]/.test(one));
+        const sorted = (one) => [...one].sort().join("");
+        const alike = (one) => one.length > word.length || sorted(one) === sorted(word);
+        const near = [...this.#words.keys()].filter(
+            (one) => Math.abs(one.length - word.length) < 3 && !/[0-9]/.test(one) && (word.length > 5 || alike(one)),
+        );
         const ranked = near.map((one) => [slips(word, one), -this.#words.get(one), one]).filter(([far]) => far <= word.length / 4);
         return ranked.sort((a, b) => a[0] - b[0] || a[1] - b[1])[0]?.[2] ?? this.#beginningOf(word);
     }
@@ -122,7 +134,7 @@ export class Ranking {
     /** Returns the longest known word with which one begins that is not known, at least two thirds of it. */
     #beginningOf(word) {
         const parts = Array.from({ length: Math.floor(word.length / 3) }, (_, cut) => word.slice(0, word.length - cut - 1));
-        return parts.find((part) => part.length > 3 && this.#words.has(part));
+        return parts.find((part) => part.length > 4 && this.#words.has(part));
     }
 
     /** Returns the stems that a word stands for, with how much each counts. */
@@ -138,7 +150,7 @@ export class Ranking {
 
     /**
      * Returns the parts of a query: stems with weights each; those of two words written as one are `beside` those of the words.
-     * `instead` are words that were taken for unknown ones.
+     * `instead` are unknown words, with those that were taken for them.
      */
     #partsOf(words) {
         const [parts, beside, instead] = [[], [], []];
@@ -158,7 +170,7 @@ export class Ranking {
             const both = halves.find((two) => two.every((one) => this.#postings.has(stem(one)))) ?? [];
             if (near) parts.push(this.#meant(near));
             else parts.push(...(both.length ? both.map((one) => this.#meant(one)) : [new Map()]));
-            if (near) instead.push([word, near]);
+            if (near || !both.length) instead.push([word, near]);
         }
         return { parts, beside, instead };
     }
@@ -194,7 +206,7 @@ export class Ranking {
 
     /**
      * Returns the documents that have words of a text, the best first: `at`, the score, and `covered`, from 0 to 1, how much of
-     * the text they have; and the words that were taken `instead` of unknown ones.
+     * the text they have; and `instead`, pairs of an unknown word and the one that was taken for it, undefined for none.
      */
     search(text) {
         const { parts, beside, instead } = this.#partsOf(telling(text));

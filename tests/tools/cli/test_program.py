@@ -250,7 +250,8 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     assert out.startswith("0x80,0x01  sensor.raw_accel ") and len(out.splitlines()) == types
     one = run(capsys, "fields", "sensor.scaled_accel")[1]
     assert one.startswith("sensor.scaled_accel (0x80,0x04), data\n") and "  scaled_accel: float[3] [g]\n" in one
-    assert all(run(capsys, "fields", name)[1] == one for name in ("0x80:0x04", "0x80,4", "ScaledAccel"))
+    names = ("0x80:0x04", "0x80,4", "0x8004", "8004", "ScaledAccel")
+    assert all(run(capsys, "fields", name)[1] == one for name in names)
     status = run(capsys, "fields", "filter_data.status")[1]
     assert "bit 12  init_no_attitude " in status and "Only while `filter_state` is `Gx5FilterState.INIT`" in status
     *_, flags = json.loads(run(capsys, "fields", "filter_data.status", "--json")[1])["parameters"]
@@ -267,6 +268,8 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
         "open drain": "3dm.gpio_config",
         "estimated gyro biases": "filter_data.gyro_bias",
         "what is 0x82,0x10": "filter_data.status",
+        "82 10": "filter_data.status",
+        "80D3": "shared.gps_timestamp",
         "gyrobias": "gyro_bias",
         "how do I set the baud rate of the uart": "baud",
         "rate of turn": "sensor.scaled_gyro",
@@ -275,6 +278,10 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     lines = run(capsys, "fields", "--search", "hdop")[1].splitlines()  # a field of several sets is one result
     assert "gnss_data.dop" in lines[0] and lines[0].endswith("also in 0x91, 0x92, 0x93, 0x94, 0x95")
     assert not any("gnss_1" in line for line in lines)
+    assert run(capsys, "fields", "82", "10")[1].startswith("0x82,0x10 ")
+    assert run(capsys, "fields", "--search", "gimbal lock")[2] == "mip fields: nothing has 'gimbal'\n"
+    assert run(capsys, "fields", "--search", "accelerometre")[2].endswith("; searched for 'accelerometer'\n")
+    assert [search.missing(word)[0][1] for word in ("heave", "posix", "buad", "antena")] == ["", "", "baud", "antenna"]
     for text, field in first.items():
         assert field in run(capsys, "fields", "--search", text)[1].splitlines()[0], text
         assert run(capsys, "fields", "--search", *text.split()) == run(capsys, "fields", "--search", text)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from collections import defaultdict
 from typing import Any
 
 from ..binding import DEVICES, Field, Response, info, registry
 from ..errors import Failure, Misuse
 from ..names.occurrence import Occurrence
-from ..names.search import all_fields, ranked
+from ..names.search import all_fields, missing, ranked
 from ..names.selection import matching_fields, resolve_keys
 from ..options import add_device
 from ..text import field_texts, show
@@ -96,6 +97,9 @@ def _chosen(options: argparse.Namespace) -> list[Occurrence]:
         kinds = [k for k in kinds if _supports(profile, *k)]
     if options.search is not None:
         kinds = ranked(kinds, options.search)
+        for word, other in missing(options.search) if kinds else ():
+            more = f"; searched for '{other}'" if other else ""
+            print(f"mip fields: nothing has '{word}'{more}", file=sys.stderr)
     if not kinds:
         raise Failure(_nothing(options))
     return kinds

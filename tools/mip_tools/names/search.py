@@ -13,9 +13,10 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import pairwise
 
 from ..binding import KEYWORDS, SETS, SYNONYMS, Command, Response, info, registry
-from .occurrence import Occurrence
+from .occurrence import Occurrence, occurrence_in
 
 #: Weights of a word in names, in keywords, in the name of the set, in parameters, in descriptions.
 _WEIGHTS = (6, 5, 2, 1.5, 1)
@@ -42,6 +43,24 @@ FILLING = frozenset(
 )
 
 
+#: What people write around the numbers of a set and a descriptor, as in `find.mjs`.
+_AROUND = re.compile(r"\b(?:command|data|desc|descriptor|field|set)\b|[\s,:;/.()[\]{}=-]+")
+#: 0x82 and 0x4, 82h and 4h, 82 and 4; or both together.
+_SET, _DESCRIPTOR = re.compile("0x[0-9a-f]{1,2}h?|[0-9a-f]{1,2}h|[0-9a-f]{2}"), re.compile("(?:0x)?[0-9a-f]{1,2}h?")
+_TOGETHER = re.compile("(?:0x)?([0-9a-f]{2})(?:0x)?([0-9a-f]{2})h?")
+
+
+def numbered(text: str) -> list[Occurrence]:
+    """Finds the fields of a set and a descriptor in hexadecimal: "0x0D13", "82 10", "(0x82,0x10)"; or else none."""
+    words = _AROUND.sub(" ", text.lower()).split()
+    together = _TOGETHER.fullmatch(words[0]) if len(words) == 1 else None
+    words = list(together.groups()) if together else words
+    if len(words) != 2 or not _SET.fullmatch(words[0]) or not _DESCRIPTOR.fullmatch(words[1]):
+        return []
+    number, descriptor = (int(word.rstrip("h"), 16) for word in words)
+    return [occurrence_in(number, kind) for kind in registry.types(number, descriptor)]
+
+
 def all_fields() -> list[Occurrence]:
     """Returns all fields of the specification."""
     return [Occurrence(*pair) for pair in registry.all_types()]
@@ -52,9 +71,11 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
 
     A response is found by its number only; its words find its command.
     """
+    first = numbered(text)
     numbers = {int(number) for number in re.findall(r"(?<![\w.,])\d{4,5}(?![\w.,])", text)}  # MSCL: "command (3399)"
     numbers |= {int(a + b, 16) for a, b in re.findall(r"(?i)\b0x([0-9a-f]{2})[\s,]*(?:0x)?([0-9a-f]{2})\b", text)}
-    numbered = [f for f in fields if f.set << 8 | f.kind.DESCRIPTOR in numbers]
+    first += [f for f in fields if f.set << 8 | f.kind.DESCRIPTOR in numbers and f not in first]
+    first = [f for f in first if f in fields]
     text = re.sub(r"(?<=[a-z0-9])(?=[A-Z][a-z])", " ", text)  # PpsSource
     scores: dict[Occurrence, float] = defaultdict(float)
     covered: dict[Occurrence, float] = defaultdict(float)
@@ -73,8 +94,8 @@ def ranked(fields: Sequence[Occurrence], text: str) -> list[Occurrence]:
         if field in scores
     }
     best = max(totals.values(), default=0)
-    others = [f for f in totals if totals[f] >= best * _LEAST and f not in numbered]
-    return numbered + sorted(others, key=lambda f: -totals[f])
+    others = [f for f in totals if totals[f] >= best * _LEAST and f not in first]
+    return first + sorted(others, key=lambda f: -totals[f])
 
 
 def _having(meant: dict[str, float]) -> dict[Occurrence, tuple[float, float]]:
@@ -107,6 +128,14 @@ def _share_of(field: Occurrence, stems: set[str], count: int) -> float:
 def finds_any(text: str) -> bool:
     """Does a search find any field?"""
     return bool(ranked(all_fields(), text))
+
+
+def missing(text: str) -> list[tuple[str, str]]:
+    """Returns the words of a text that no field has, each with those that were searched for; "" for none."""
+    split = re.sub(r"(?<=[a-z0-9])(?=[A-Z][a-z])", " ", text)
+    words = _telling(list(dict.fromkeys(_words(split)))) if not numbered(text) else []
+    joined = {word for pair in pairwise(words) if _stem("".join(pair)) in _index()[0] for word in pair}
+    return [(word, " ".join(_instead(word))) for word in words if not _meant(word) and word not in joined]
 
 
 def _words(text: str) -> list[str]:
@@ -176,19 +205,37 @@ def _telling(words: list[str]) -> list[str]:
 
 def _parts(words: list[str]) -> Iterator[dict[str, float]]:
     """Yields the stems that each word of a query stands for."""
-    postings, index_words, _ = _index()
+    postings = _index()[0]
     words = _telling(words)
     for before, word, after in zip(["", *words], words, [*words[1:], ""]):
         pairs = [_stem(pair) for pair in (before + word, word + after) if pair != word]
         meant = _meant(word) | {stem: 1.0 for stem in pairs if stem in postings}
-        near = [] if meant else difflib.get_close_matches(word, index_words, 1, 0.8)
-        least = 4 if meant else 3  # letters of each half: "offset" is not "off" and "set"
-        halves = ((word[:at], word[at:]) for at in range(least, len(word) - least + 1))
-        both = next((two for two in halves if all(_stem(half) in postings for half in two)), ())
-        parts = (word[:cut] for cut in range(len(word) - 1, max(3, len(word) * 2 // 3), -1))
-        beginning = [] if meant or near or both else [part for part in parts if part in index_words][:1]
-        for part in near or both or beginning or [word]:
+        for part in _halves(word, 4) if meant else _instead(word) or [word]:  # "offset" is not "off" and "set"
             yield meant | _meant(part)
+
+
+def _halves(word: str, least: int) -> Sequence[str]:
+    """Returns the two known words of which one consists, or the word."""
+    halves = ((word[:at], word[at:]) for at in range(least, len(word) - least + 1))
+    return next((two for two in halves if all(_stem(half) in _index()[0] for half in two)), (word,))
+
+
+def _instead(word: str) -> Sequence[str]:
+    """Returns the known words for which an unknown one stands; empty for none.
+
+    A short word, from which many differ in a letter, may only lack one, or have two exchanged.
+    """
+    index_words = _index()[1]
+    if len(word) > 5:
+        near = difflib.get_close_matches(word, index_words, 1, 0.8)
+    else:
+        swapped = {word[:at] + word[at + 1] + word[at] + word[at + 2 :] for at in range(len(word) - 1)}
+        lacks = (one for one in index_words if any(one[:at] + one[at + 1 :] == word for at in range(len(one))))
+        near = [*swapped.intersection(index_words), *lacks] if len(word) > 3 else []
+    if near or len(both := _halves(word, 3)) == 2:
+        return near[:1] or both
+    parts = (word[:cut] for cut in range(len(word) - 1, max(4, len(word) * 2 // 3), -1))
+    return [part for part in parts if part in index_words][:1]
 
 
 def _meant(word: str) -> dict[str, float]:

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from ..binding import UnknownName, registry
 from ..errors import Misuse
 from .occurrence import Occurrence, occurrence_in, occurrences_named, sets_of
-from .search import finds_any
+from .search import finds_any, numbered
 
 _NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{1,2}|\d{1,3}))?")
 
@@ -39,6 +39,8 @@ def matching_fields(name: str) -> list[Occurrence]:
         if not kinds:
             raise Misuse(f"{name} is not a field; `mip fields` lists them")
         return [occurrence_in(set_number, kind) for kind in kinds]
+    if found := numbered(name):
+        return found
     try:
         return occurrences_named(name)
     except UnknownName as error:

@@ -23,7 +23,8 @@ extern "C" {
 
 /** The clocks of timestamps. */
 enum {
-    /** GPS time, once a receiver, a PPS or the host has set it. */
+    /** GPS time, once a receiver, a PPS or the host has set it. Unix (POSIX) time is 315964800 s
+       more, less the leap seconds. */
     MIP_CLOCK_GPS = 0,
     /** Nanoseconds of the clock that is synchronized to the PPS. */
     MIP_CLOCK_EXTERNAL = 1,

@@ -140,12 +140,14 @@ globalThis.mipSearch = (() => {
     /**
      * The results for a text, in groups of `items`, the best first: packets, codes, fields, and sections of pages, each
      * with `href`. `index` is of the fields, null for a site without them, `texts` those of the pages. `instead` are pairs of
-     * an unknown word and the one that was taken for it.
+     * an unknown word and what was searched for: the word that was taken for it, or the others of the text.
      */
     function search(index, texts, text) {
         const [documents, ranking] = rankingOf(index, texts);
-        const { instead = [] } = ranking?.search(text) ?? {};
-        for (const [word, other] of instead) text = text.toLowerCase().replace(word, other);
+        const unknown = ranking?.search(text).instead ?? [];
+        const without = (word) => text.split(/\s+/).filter((one) => !mip.wordsOf(one).includes(word));
+        const instead = unknown.map(([word, other]) => [word, other ?? without(word).join(" ")]);
+        for (const [word, other] of unknown) if (other) text = text.toLowerCase().replace(word, other);
         const packet = index && mip.packetIn(index, text);
         const code = index && mip.codeIn(index, text);
         const named = index ? mip.exactly(index, text).map(({ field }) => ({ field, href: addressOf(field) })) : [];

@@ -9,7 +9,8 @@ use super::{Flag, Part, Place, Reading, Source};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Clock {
-    /// GPS time, once a receiver, a PPS or the host has set it.
+    /// GPS time, once a receiver, a PPS or the host has set it. Unix (POSIX) time is 315964800 s
+    /// more, less the leap seconds.
     #[cfg_attr(feature = "serde", serde(rename = "gps"))]
     Gps,
     /// Nanoseconds of the clock that is synchronized to the PPS.
