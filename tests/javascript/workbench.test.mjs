@@ -175,6 +175,11 @@ test("of the beginning of a packet, the fields are shown that are whole", () => 
     assert.deepEqual(bytes(fieldsOf(begun)), bytes(fieldsOf(packet)).slice(0, -1));
 });
 
+test("of a long text, only the first parts are decoded, and all are counted", () => {
+    const { parts, packets, more } = inspect(protocol, `${PING} 00 `.repeat(20000), undefined, 5);
+    assert.deepEqual([parts.length, packets, more], [5, 20000, 39995]);
+});
+
 // ------------------------------------------------------------------------------------------- values to begin with
 
 test("a value begins with its default, which may be the names of bits; a text of no fixed length begins empty", () => {

@@ -24,14 +24,17 @@ import { baseOf } from "./stream.mjs";
 import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 
 /**
- * The parts of a text of bytes, as `segments` returns them; packets also have `set`, `fields`, `misprints`, and the
- * correct checksum, and other bytes `why`: the faults of those that begin like a packet.
+ * The parts of a text of bytes, as `segments` returns them, at most `most`; packets also have `set`, `fields`,
+ * `misprints`, and the correct checksum, and other bytes `why`: the faults of those that begin like a packet. `packets`
+ * counts all packets, and `more` the parts that are left out.
  * @param device the id of a device, whose readings are used where they differ, or a function that returns it for a field
  */
-export function inspect(protocol, text, device = undefined) {
+export function inspect(protocol, text, device = undefined, most = Infinity) {
     const { bytes, ignored } = bytesOfText(text);
-    const parts = inspectBytes(protocol, bytes, device);
-    return { bytes, ignored, parts, transactions: transactionsOf(parts) };
+    const all = segments(bytes);
+    const parts = all.slice(0, most).map((part) => inspectPart(protocol, part, device));
+    const packets = all.filter((part) => part.kind !== "other").length;
+    return { bytes, ignored, parts, packets, more: all.length - parts.length, transactions: transactionsOf(parts) };
 }
 
 /** The parts of bytes, as `inspect` returns them. */
@@ -179,18 +182,28 @@ export function errataOf(protocol, field) {
 
 /** Returns the examples that a manual prints with exactly these bytes, although they are wrong. */
 export function misprintsOf(protocol, bytes) {
-    const { examples, errata } = protocol.model;
-    return examples
-        .filter((example) => printedAs(example, bytes) && !sameBytes(fromHex(example.packet), bytes))
-        .map((example) => ({
+    const { errata } = protocol.model;
+    return printedExamples(protocol.model)
+        .filter(({ right, printed }) => printed.some((one) => isPrinted(one, bytes)) && !sameBytes(right, bytes))
+        .map(({ example, right }) => ({
             example,
-            right: fromHex(example.packet),
+            right,
             errata: errata.filter((one) => one.claims.some((claim) => claim.kind === "example" && claim.subject === example.id)),
         }));
 }
 
-function printedAs({ string, table }, bytes) {
-    const digits = string?.replace(/[^0-9a-f]/gi, "");
-    if (digits && digits.length % 2 === 0 && sameBytes(fromHex(digits), bytes)) return true;
-    return Boolean(table) && table.length === bytes.length && table.every((byte, i) => byte === null || byte === bytes[i]);
+const printedIn = new WeakMap(); // model -> its examples: bytes are compared with all of them
+
+function printedExamples(model) {
+    const prepared = (example) => {
+        const digits = example.string?.replace(/[^0-9a-f]/gi, "") ?? "";
+        const printed = [digits.length % 2 ? undefined : fromHex(digits), example.table].filter((one) => one?.length);
+        return { example, right: fromHex(example.packet), printed };
+    };
+    if (!printedIn.has(model)) printedIn.set(model, model.examples.map(prepared));
+    return printedIn.get(model);
+}
+
+function isPrinted(printed, bytes) {
+    return printed.length === bytes.length && printed.every((byte, i) => byte === null || byte === bytes[i]);
 }
