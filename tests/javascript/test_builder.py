@@ -335,6 +335,25 @@ def test_rates_in_hz_become_decimations(own: browser.Page) -> None:
     assert own.run("document.querySelector('.mip-totals').hidden")
 
 
+def test_the_focus_stays_when_the_form_changes(own: browser.Page) -> None:
+    """A key in a number, a choice, and buttons, whose successor has the focus; what was typed stays as it was."""
+    visit(own, TOOL, "#3dm.message_format")
+    active = "document.activeElement"
+    own.run("document.querySelector('.mip-hex').focus()")
+    own.run(f"{active}.value = '0x8'; {active}.setSelectionRange(3, 3); {active}.dispatchEvent(new Event('input')); 0")
+    assert own.run(f"[{active}.className, {active}.value, {active}.selectionStart]") == ["mip-hex", "0x8", 3]
+    select = "[...document.querySelectorAll('.mip-forms select')].at(0)"
+    own.run(f"{select}.focus(); {active}.value = 2; {active}.dispatchEvent(new Event('input')); 0")
+    assert own.run(f"{active} === {select} && {active}.value") == "2"
+    visit(own, TOOL, "#base.ping")
+    own.run("document.querySelector('#mip-add').focus()")
+    own.run("enter('#mip-add', 'base.set_idle')")
+    assert own.run(f"{active}.id") == "mip-add"
+    for label in ("Down: field 1", "Remove: field 2"):
+        own.run(f"document.querySelector('[aria-label=\"{label}\"]').focus(); {active}.click()")
+        assert own.run(f"document.querySelector('.mip-forms').contains({active})"), label
+
+
 def clipboard(page: browser.Page) -> str:
     text: str = page.run("navigator.clipboard.readText()")
     return text

@@ -26,8 +26,9 @@ def test_what_people_type(page: browser.Page, text: str, field: str) -> None:
 
 def test_nothing_found(page: browser.Page) -> None:
     assert found(page, "xyzzy") == []
-    assert page.run("text('.mip-results')") == "Nothing found."
-    assert found(page, "") == [] and page.run("text('.mip-results')") == ""
+    assert page.run("text('[role=status]')") == "Nothing found."
+    assert found(page, "gimbal lock") and page.run("text('[role=status]')").startswith("Nothing has “gimbal”. ")
+    assert found(page, "") == [] and page.run("text('[role=status]')") == ""
 
 
 def test_without_a_reference_hits_lead_to_the_builder(page: browser.Page) -> None:

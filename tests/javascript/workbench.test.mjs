@@ -304,6 +304,15 @@ test("times are those of the clocks with and without a date", { skip: !real && "
     }
 });
 
+test("a gap in a log with dates has its date", { skip: !real && "of the real one" }, async () => {
+    const { gapText, survey } = globalThis.mip;
+    const texts = async (rows) => (await survey(protocol, () => [stamped(rows)])).gaps.map(gapText);
+    const gap = (week, flags) => [...ticks(345618, 40, week, flags), ...ticks(345619, 40, week, flags)];
+    const end = "60 samples of sensor.gps_timestamp";
+    assert.deepEqual(await texts(gap(2300, 0x1d)), [`before packet 41: 0.61 s after 2024-02-08T00:00:00.390Z, ${end}`]);
+    assert.deepEqual(await texts(gap(0, 0)), [`before packet 41: 0.61 s after 345618.39 s, ${end}`]);
+});
+
 test("a log of an unknown device is read as on those that explain it", { skip: !real && "of the real one" }, async () => {
     const { survey } = globalThis.mip;
     const fields = [

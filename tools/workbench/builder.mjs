@@ -3,7 +3,7 @@
 import { decodePacket, MipError, Packet, placesOf, toHex } from "mip-protocol/tools";
 import { State } from "./address.mjs";
 import { initialValues, setsOf } from "./build.mjs";
-import { deviceChoice, deviceOf, element, links, profileNote } from "./dom.mjs";
+import { announced, deviceChoice, deviceOf, element, keepFocus, links, profileNote } from "./dom.mjs";
 import { indexOf } from "./find.mjs";
 import { entryForms } from "./form.mjs";
 import { bytesOfText } from "./pasted.mjs";
@@ -11,7 +11,7 @@ import { picker } from "./picker.mjs";
 import { built, report } from "./report.mjs";
 import { linkRows } from "./ruler.mjs";
 import { formatNeed, needText } from "./stream.mjs";
-import { hexByte } from "./words.mjs";
+import { hexByte, spacedHex } from "./words.mjs";
 
 /**
  * Fills an element with the builder. `options` are those of `links`, and `start`, the fragment of an address, which may
@@ -52,14 +52,16 @@ export function builder(root, protocol, options = {}) {
     const problem = element("p.mip-wrong", { role: "status" }, start.problem);
     const totals = element("p.mip-totals.mip-need", { role: "status", hidden: true });
     const forms = element("div.mip-forms");
-    const output = element("div.mip-output", { "aria-live": "polite" });
+    const output = announced("div.mip-output");
     const outcome = element("div.mip-outcome", { role: "status" });
 
     let started = false; // the address stays as it is until something is changed
     const show = () => {
         if (!state.entries.length) return;
         const packet = built(protocol, state);
-        output.replaceChildren(...report(protocol, state, packet, to));
+        const { bytes, checksum, error } = packet;
+        if (error) output.show(`${error.message}.`, [], "mip-wrong");
+        else output.show(`${bytes.length} bytes; the checksum is ${spacedHex(checksum)}.`, report(protocol, state, packet, to));
         const need = formatNeed(protocol, state.device?.id, state.entries);
         totals.hidden = !need;
         if (need) totals.textContent = `These rates need ${needText(need)}`;
@@ -73,10 +75,11 @@ export function builder(root, protocol, options = {}) {
         );
         adder.refresh();
     };
-    const reshaped = () => {
-        layOut();
-        show();
-    };
+    const reshaped = () =>
+        keepFocus(forms, () => {
+            layOut();
+            show();
+        });
     const redrawn = () => {
         search.refresh();
         note.replaceChildren(...[profileNote(state.device)].filter(Boolean));
@@ -103,7 +106,7 @@ export function builder(root, protocol, options = {}) {
             note,
             search.root,
             totals,
-            element("div.mip-columns", forms, output),
+            element("div.mip-columns", forms, output.root),
         ].filter(Boolean),
     );
     linkRows(root);

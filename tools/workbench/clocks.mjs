@@ -107,7 +107,7 @@ export class Rhythm {
     #count = 0;
     #open = []; // gaps after which the usual interval has not come again
 
-    /** Processes the next time from `Clocks`, and returns the gaps that are now known: { at, seconds, lost, mark }. */
+    /** Processes the next time from `Clocks`, and returns the gaps that are now known: { at, dated, seconds, lost, mark }. */
     add(time, mark) {
         if (!time) return [];
         const before = this.#last;
@@ -124,7 +124,7 @@ export class Rhythm {
             this.#open = [];
         } else if (this.usual && interval > GAP * this.usual) {
             const lost = Math.round(interval / this.usual) - 1;
-            this.#open.push({ at: before.seconds, seconds: interval, lost, mark });
+            this.#open.push({ at: before.seconds, dated: before.dated, seconds: interval, lost, mark });
         }
         return [];
     }

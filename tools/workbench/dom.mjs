@@ -16,6 +16,47 @@ export function element(name, ...children) {
 }
 
 /**
+ * Creates an output, of which only the first line is announced to a screen reader: `root`, and `show`, which is called
+ * with the words of that line, other elements, and the class of the line.
+ */
+export function announced(name) {
+    const line = element("p", { role: "status" });
+    const rest = element("div");
+    const show = (words, parts = [], kind = "mip-note") => {
+        line.className = kind;
+        line.replaceChildren(...[words].flat().filter(Boolean));
+        rest.replaceChildren(...parts.filter(Boolean));
+    };
+    return { root: element(name, line, rest), show };
+}
+
+/** Calls what rebuilds the controls in an element; the successor of the one that had the focus has it then. */
+export function keepFocus(root, rebuild) {
+    const before = root.contains(document.activeElement) ? document.activeElement : undefined;
+    const controls = () => [...root.querySelectorAll("input, select, button")].filter((one) => !one.disabled && !one.hidden);
+    const at = controls().indexOf(before);
+    const { value, selectionStart: from, selectionEnd: to } = before ?? {};
+    const name = before && nameOf(before);
+    rebuild();
+    if (!before) return;
+    const now = controls();
+    const same = before.isConnected ? before : now.find((one) => nameOf(one) === name);
+    (same ?? now[Math.min(at, now.length - 1)])?.focus();
+    if (!same || typeof from !== "number") return;
+    same.value = value; // as it was typed
+    same.setSelectionRange(from, to);
+}
+
+/** Returns what distinguishes a control from others: the legends around it, its label, and the kind of a button. */
+function nameOf(control) {
+    const names = [control.getAttribute("aria-label") ?? (control.matches("button") ? control.className || control.textContent : "")];
+    names.push(control.closest("p")?.querySelector("label")?.textContent);
+    const around = (one) => one.parentElement.closest("fieldset, .mip-entry");
+    for (let one = around(control); one; one = around(one)) names.push(one.querySelector("legend, h2").textContent);
+    return names.join("\n");
+}
+
+/**
  * Links into the reference. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
  * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field} and {packet} in them;
  * that of an erratum has its {manual}, {severity} and {id}. Without one, there are no links. A response is on the page

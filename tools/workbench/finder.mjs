@@ -1,8 +1,8 @@
 // The finder: type what you know about a field, and go to its page.
 
 import { State } from "./address.mjs";
-import { element, links } from "./dom.mjs";
-import { find, indexOf, kindOf, packetIn } from "./find.mjs";
+import { announced, count, element, links } from "./dom.mjs";
+import { find, indexOf, kindOf, missing, packetIn } from "./find.mjs";
 
 /** Fills an element with the finder. `options` are those of `links`, and `start`, the fragment of an address. */
 export function finder(root, protocol, options = {}) {
@@ -11,16 +11,14 @@ export function finder(root, protocol, options = {}) {
     if (!state.get("find") && state.get("given")) state.adopt({ find: state.get("given") });
     const index = indexOf(protocol);
     const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: state.get("find") });
-    const output = element("div", { "aria-live": "polite" });
+    const { root: output, show } = announced("div");
     const update = () => {
         const packet = options.inspectorPage && packetIn(index, input.value);
-        const list = hitsList(
-            find(index, input.value).map(({ field }) => field),
-            to,
-        );
+        const fields = find(index, input.value).map(({ field }) => field);
+        const list = hitsList(fields, to);
         if (packet) list.prepend(element("li", to.inspector(packet)));
-        if (input.value.trim() && !list.children.length) list.append(element("li", "Nothing found."));
-        output.replaceChildren(list);
+        const found = list.children.length ? `${count(list.children.length, "result")} found.` : "Nothing found.";
+        show(input.value.trim() && [missing(index, input.value), found].join(" ").trim(), [list]);
     };
     const form = element(
         "form",

@@ -13,7 +13,7 @@ export { inspector } from "./inspector.mjs";
 export { Ranking, stem, telling, wordsOf } from "./rank.mjs";
 export { Readings, rotationOf } from "./readings.mjs";
 export { bytesOfText } from "./pasted.mjs";
-export { spanText } from "./logs.mjs";
+export { gapText, spanText } from "./logs.mjs";
 export { survey } from "./survey.mjs";
 export { live } from "./live.mjs";
 export { needOf, portsFor, streamsOf } from "./stream.mjs";

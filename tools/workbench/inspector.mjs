@@ -2,7 +2,7 @@
 
 import { fromHex, nameIn } from "mip-protocol/tools";
 import { State } from "./address.mjs";
-import { count, deviceChoice, element, links } from "./dom.mjs";
+import { announced, count, deviceChoice, element, links } from "./dom.mjs";
 import { find, indexOf } from "./find.mjs";
 import { hitsList } from "./finder.mjs";
 import { inspect, transactionsOf } from "./inspect.mjs";
@@ -12,6 +12,10 @@ import { descriptorOf, hexByte, spacedHex } from "./words.mjs";
 
 /** The maximum number of packets shown for a text; logs have pages. */
 const MOST = 1000;
+
+/** A text of more letters is read a moment after the last key. */
+const LONG = 10_000;
+const PAUSE = 150;
 
 /**
  * Fills an element with the inspector. `options` are those of `links`, and `start`, the fragment of an address; without
@@ -27,22 +31,21 @@ export function inspector(root, protocol, options = {}) {
         state.get("bytes") || example(protocol),
     );
     const device = deviceChoice(protocol, state, "mip-device", () => update());
-    const output = element("div.mip-output", { "aria-live": "polite" });
+    const { root: output, show } = announced("div.mip-output");
     let index;
     const hits = (text) => {
         index ??= indexOf(protocol);
         return find(index, text).map(({ field }) => field);
     };
     const update = () => {
-        const found = inspect(protocol, input.value, device.chosen()?.id);
-        output.replaceChildren(...report(found, to, hits));
+        show(...report(inspect(protocol, input.value, device.chosen()?.id, MOST), to, hits));
     };
     const log = logPanel(protocol, {
         device: () => device.chosen()?.id,
         opened() {
             if (state.get("bytes")) return;
             input.value = ""; // the example
-            output.replaceChildren();
+            show("");
         },
         show: (parts) => [transactionList(transactionsOf(parts), to), ...parts.map((part) => partReport(part, to))].filter(Boolean),
     });
@@ -60,9 +63,12 @@ export function inspector(root, protocol, options = {}) {
         log.output,
         output,
     );
+    let timer;
     input.addEventListener("input", () => {
         state.set({ bytes: input.value });
-        update();
+        clearTimeout(timer);
+        if (input.value.length > LONG) timer = setTimeout(update, PAUSE);
+        else update();
     });
     log.acceptDrops(root);
     linkRows(root);
@@ -75,27 +81,21 @@ function example(protocol) {
     return first ? spacedHex(fromHex(first.packet)) : "";
 }
 
-function report({ bytes, ignored, parts, transactions }, to, hits) {
+/** Returns the words that are announced, the other elements, and the class of the words. */
+function report({ bytes, ignored, parts, packets, more, transactions }, to, hits) {
     if (!bytes.length && ignored.length) {
         const text = ignored.join(" ");
         const fields = hits(text);
         const words = "No bytes were found in this text; hexadecimal is needed. Not read as bytes: ";
-        return [
-            element("p.mip-wrong", words, text),
-            fields.length > 0 && element("p", "Fields that it may mean:"),
-            fields.length > 0 && hitsList(fields, to),
-        ].filter(Boolean);
+        return [words + text, fields.length ? [element("p", "Fields that it may mean:"), hitsList(fields, to)] : [], "mip-wrong"];
     }
-    if (!bytes.length) return [element("p.mip-note", "Nothing to read yet.")];
-    const packets = parts.filter((part) => part.kind !== "other").length;
+    if (!bytes.length) return ["Nothing to read yet."];
     const summary = `${count(bytes.length, "byte")}, ${count(packets, "packet")}`;
     const note = State.tooLong(spacedHex(bytes)) ? "; too long for a link: the address does not hold it" : "";
-    return [
-        element("p.mip-summary", summary, ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : "", note),
-        transactionList(transactions, to),
-        ...parts.slice(0, MOST).map((part) => partReport(part, to)),
-        parts.length > MOST && element("p.mip-note", `${parts.length - MOST} more are not shown; open the file as a log.`),
-    ].filter(Boolean);
+    const others = ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : "";
+    const shown = [transactionList(transactions, to), ...parts.map((part) => partReport(part, to))];
+    if (more) shown.push(element("p.mip-note", `${more} more are not shown; open the file as a log.`));
+    return [summary + others + note, shown, "mip-summary"];
 }
 
 /** Shows commands and their replies, if there is a reply. */

@@ -1,7 +1,7 @@
 // A log in the inspector: the contents of a file of any size, and its packets page by page.
 
 import { GAP, undatedClocks } from "./clocks.mjs";
-import { copyButton, count, element, table } from "./dom.mjs";
+import { announced, copyButton, count, element, table } from "./dom.mjs";
 import { inspectBytes } from "./inspect.mjs";
 import { survey } from "./survey.mjs";
 import { hexByte } from "./words.mjs";
@@ -16,7 +16,7 @@ const LISTED = 50;
  *   opened is called when a log is opened
  */
 export function logPanel(protocol, { show, device, opened }) {
-    const output = element("div.mip-log", { role: "status" });
+    const { root: output, show: display } = announced("div.mip-log");
     const file = element("input", { type: "file", id: "mip-file", class: "mip-file" });
     const chooser = element("span.mip-chooser", element("label", { for: "mip-file" }, "Log or recording"), file);
     let reading = 0; // the latest file
@@ -25,7 +25,7 @@ export function logPanel(protocol, { show, device, opened }) {
         opened();
         const bar = element("progress", { max: Math.max(chosen.size, 1), value: 0, "aria-label": "Read so far" });
         const stop = element("button", { type: "button", onclick: () => reading++ }, "Stop");
-        output.replaceChildren(element("p", `Reading ${chosen.name} `, bar, " ", stop));
+        display(`Reading ${chosen.name}`, [element("p", bar, " ", stop)]);
         let found;
         try {
             const progress = (bytes) => {
@@ -34,11 +34,11 @@ export function logPanel(protocol, { show, device, opened }) {
             };
             found = await survey(protocol, () => piecesOf(chosen), progress, device());
         } catch (error) {
-            output.replaceChildren(element("p.mip-wrong", `${chosen.name} cannot be read: ${error.message}.`));
+            display(`${chosen.name} cannot be read: ${error.message}.`, [], "mip-wrong");
             return;
         }
-        const close = () => output.replaceChildren();
-        if (mine === reading) output.replaceChildren(...logReport(protocol, chosen, found, show, device, close));
+        const close = () => display("");
+        if (mine === reading) display(...logReport(protocol, chosen, found, show, device, close));
         else if (output.contains(bar)) close();
     };
     file.addEventListener("change", () => {
@@ -68,6 +68,7 @@ async function* piecesOf(file) {
     }
 }
 
+/** Returns the words that are announced, the other elements, and the class of the words. */
 function logReport(protocol, file, found, show, device, close) {
     const beside = [
         found.skipped > 0 && `${count(found.skipped, "byte")} outside packets`,
@@ -75,11 +76,9 @@ function logReport(protocol, file, found, show, device, close) {
     ].filter(Boolean);
     const summary = [`${count(found.bytes, "byte")}, ${count(found.packets, "packet")}`, ...beside].join("; ");
     const lines = () => [["field", "descriptor", "count", "rate_hz", "gaps"], ...found.fields.map(cellsOf)];
-    return [
-        element("h2", file.name),
+    const parts = [
         element(
-            "p.mip-summary",
-            `${summary}. `,
+            "p",
             copyButton("Copy the table", () =>
                 lines()
                     .map((line) => line.join("\t"))
@@ -109,7 +108,8 @@ function logReport(protocol, file, found, show, device, close) {
             ),
         found.gaps.length > 0 && gapList(found.gaps),
         found.packets > 0 && pages(protocol, file, found, show, () => device() ?? found.reads),
-    ].filter(Boolean);
+    ];
+    return [`${file.name}: ${summary}.`, parts, "mip-summary"];
 }
 
 /** Describes the time of a log, how flags were read, and values that were not valid. */
@@ -129,7 +129,7 @@ export function spanText(protocol, span) {
         .filter(({ name }) => span[name])
         .map(({ name, title, epoch }) => {
             const [first, last] = span[name];
-            if (epoch) return [first, last].map((time) => new Date(1000 * time).toISOString()).join(" to ");
+            if (epoch) return [first, last].map(dateText).join(" to ");
             const alone = undatedClocks(protocol).has(name);
             return `${title} ${[first, last].map((time) => Number(time.toFixed(4))).join(" to ")} s${alone ? ", no date: not synchronized" : ""}`;
         })
@@ -146,14 +146,19 @@ function cellsOf({ set, descriptor, field, name, count: times, rhythm: { rate, g
     ];
 }
 
+/** "before packet 41: 0.5 s after 12.89 s, 49 samples of sensor.scaled_accel"; a date if the clock has one */
+export function gapText({ at, dated, seconds, lost, fields, packet }) {
+    const begin = dated ? dateText(at) : `${Number(at.toFixed(4))} s`;
+    const names = fields.map(({ name }) => name ?? "unknown").join(", ");
+    return `before packet ${packet + 1}: ${Number(seconds.toPrecision(4))} s after ${begin}, ${count(lost, "sample")} of ${names}`;
+}
+
+function dateText(seconds) {
+    return new Date(1000 * seconds).toISOString();
+}
+
 function gapList(gaps) {
-    const item = ({ at, seconds, lost, fields, packet }) =>
-        element(
-            "li",
-            `before packet ${packet + 1}: ${Number(seconds.toPrecision(4))} s`,
-            at ? ` after ${Number(at.toFixed(4))} s` : "",
-            `, ${count(lost, "sample")} of ${fields.map(({ name }) => name ?? "unknown").join(", ")}`,
-        );
+    const item = (gap) => element("li", gapText(gap));
     const more = gaps.length > LISTED && element("p", `${gaps.length - LISTED} more gaps.`);
     return element("details", element("summary", count(gaps.length, "gap")), element("ul", gaps.slice(0, LISTED).map(item)), more || "");
 }

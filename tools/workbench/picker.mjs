@@ -2,7 +2,7 @@
 
 import { nameIn } from "mip-protocol/tools";
 import { certaintyOn, setsOf } from "./build.mjs";
-import { element, mark } from "./dom.mjs";
+import { announced, count, element, mark } from "./dom.mjs";
 import { find } from "./find.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
@@ -20,10 +20,11 @@ export function picker(index, { id, label, choose, device = () => undefined, set
     const { protocol } = index;
     const input = element("input", { type: "search", id, autocomplete: "off", spellcheck: "false", "aria-describedby": `${id}-hint` });
     const hint = element("small", { id: `${id}-hint` }, "A name, a descriptor such as 0x0C28, a symbol in your program, or words");
-    const list = element("div.mip-hits", { role: "status" });
+    const { root: list, show } = announced("div.mip-hits");
     const pick = (field, set) => {
         input.value = "";
-        list.replaceChildren();
+        if (list.contains(document.activeElement)) input.focus(); // the list goes
+        show("");
         choose(field, set);
     };
     const item = (field, set, certainty) =>
@@ -54,12 +55,12 @@ export function picker(index, { id, label, choose, device = () => undefined, set
         const others = found.filter(({ certainty }) => certainty === undefined);
         const rows = (some) => some.slice(0, SHOWN).map(({ field, set, certainty }) => item(field, set, certainty));
         const more = own.length > SHOWN && element("p.mip-note", `${own.length - SHOWN} more: type another word.`);
-        const nothing = input.value.trim() && !found.length && element("p", `Nothing found for “${input.value.trim()}”.`);
+        const summary = found.length ? `${count(found.length, "field")} found.` : `Nothing found for “${input.value.trim()}”.`;
         const elsewhere = others.length > 0 && [
             element("p.mip-note", `Not supported by the ${chosen.title}:`),
             element("ul", rows(others).slice(0, own.length ? 3 : SHOWN)),
         ];
-        list.replaceChildren(...[own.length > 0 && element("ul", rows(own)), more, elsewhere, nothing].flat().filter(Boolean));
+        show(input.value.trim() && summary, [own.length > 0 && element("ul", rows(own)), more, elsewhere].flat());
     };
     const browse = element("details.mip-browse", element("summary", "Browse by set"));
     browse.addEventListener("toggle", () => {

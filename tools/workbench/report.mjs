@@ -18,7 +18,6 @@ export function built(protocol, { set, entries }) {
 }
 
 export function report(protocol, { device, set, entries }, packet, to) {
-    if (packet.error) return [element("p.mip-wrong", `${packet.error.message}.`)];
     const sources = LANGUAGES.map(([key, title]) => {
         const text = sourceOf(packet.bytes, key);
         const copy = copyButton("Copy", () => text);
@@ -36,7 +35,7 @@ export function report(protocol, { device, set, entries }, packet, to) {
         element(
             "section.mip-packet",
             element("p.mip-bytes", shown),
-            element("p", copies(part), ` ${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
+            element("p", copies(part)),
             rows.length > 0 && valueTable(rows, "Bytes and parameters"),
         ),
         ...entries.flatMap((entry) => entryReport(protocol, entry, entries.length > 1, to)),
