@@ -41,7 +41,7 @@ const LABEL =
 
 // A line of a hex dump: an offset, bytes, and the bytes as characters. The last line may be an offset alone.
 const DUMP_LINE =
-    /^\s*(?<offset>(?<number>(?:0x)?[0-9a-f]{4,16}|[0-9a-f]{8}`[0-9a-f]{8})(?:h?(?<colon>:)(?=\s)|(?=\s|$)))(?:(?<gap>\s+)(?<bytes>(?:[0-9a-f]{2,4}[ \t-]+)*[0-9a-f]{2,4})(?<text>\s.*|[|;].*)?)?\s*$/i;
+    /^\s*(?<offset>(?<number>(?:0x)?[0-9a-f]{4,16}|[0-9a-f]{8}`[0-9a-f]{8})(?:h?(?<colon>:| =)(?=\s)|(?=\s|$)))(?:(?<gap>\s+)(?<bytes>(?:[0-9a-f]{2,4}[ \t-]+)*[0-9a-f]{2,4})(?<text>\s.*|[|;].*)?)?\s*$/i;
 
 // Bytes in a list, some of which may have a single digit: printf %x, or 1 in [0x75, 1].
 const LIST = /(?<![\w.])(?:0x)?[0-9a-f]{1,2}h?(?:[\s,;]+(?:0x)?[0-9a-f]{1,2}h?(?!\w|\.\d))+/gi;
@@ -50,7 +50,7 @@ const ESCAPES = { n: 10, r: 13, t: 9, a: 7, b: 8, f: 12, v: 11 };
 
 /** Returns the bytes in a text, and the pieces of text between them, such as words. */
 export function bytesOfText(text) {
-    const plain = padded(withoutOffsets(text.split(/\r?\n/))).join("\n");
+    const plain = padded(withoutOffsets(text.replace(/[│┊]/g, " ").split(/\r?\n/))).join("\n"); // columns of hexyl
     const bytes = [];
     const ignored = [];
     let at = 0;
