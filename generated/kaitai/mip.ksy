@@ -4163,7 +4163,7 @@ types:
         doc: "Time to average over. Unit: ms. Range: 1000 to 30000."
   mip_3dm_mag_hard_iron_offset:
     -orig-id: 3dm.mag_hard_iron_offset
-    doc: "Magnetometer hard iron offset. Sets the offset that corrects the scaled magnetic field for hard iron. The values come from a calibration of the device as it is installed. On some devices, `filter_mag_capture_auto_calibration` captures them from the filter's automatic calibration. The device applies the correction before it sends `sensor_scaled_mag`."
+    doc: "Magnetometer hard iron offset. Sets the offset that corrects the scaled magnetic field for hard iron. The values come from a calibration of the device as it is installed. On some devices, `filter_mag_capture_auto_calibration` captures them from the filter's automatic calibration. Before it sends `sensor_scaled_mag`, the device corrects the field: the matrix times (measured - offset), with the matrix of `mip_3dm_mag_soft_iron_matrix`. Uncertain: The sources do not state the formula; it is inferred from the terms."
     seq:
       - id: function_value
         -orig-id: function
@@ -4176,7 +4176,7 @@ types:
         doc: "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
-    doc: "Magnetometer soft iron matrix. Sets the matrix that corrects the scaled magnetic field for soft iron. The values come from a calibration of the device as it is installed. On some devices, `filter_mag_capture_auto_calibration` captures them from the filter's automatic calibration. The device applies the correction before it sends `sensor_scaled_mag`."
+    doc: "Magnetometer soft iron matrix. Sets the matrix that corrects the scaled magnetic field for soft iron. The values come from a calibration of the device as it is installed. On some devices, `filter_mag_capture_auto_calibration` captures them from the filter's automatic calibration. Before it sends `sensor_scaled_mag`, the device corrects the field: the matrix times (measured - offset), with the offset of `mip_3dm_mag_hard_iron_offset`. Uncertain: The sources do not state the formula; it is inferred from the terms."
     seq:
       - id: function_value
         -orig-id: function

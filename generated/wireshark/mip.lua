@@ -1276,14 +1276,14 @@ field({ descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", tit
       { kind = "scalar", name = "averaging_time_ms", type = "u16", size = 2, units = {"ms", }, doc = "Time to average over. Unit: ms. Range: 1000 to 30000." },
     } }, { { set = 0x0C, name = "3dm.capture_gyro_bias", title = "Capture gyroscope bias" }, })
 field({ descriptor = 0x3A, name = "3dm.mag_hard_iron_offset", role = "command", title = "Magnetometer hard iron offset",
-    doc = "Sets the offset that corrects the scaled magnetic field for hard iron. The values come from a calibration of the device as it is installed. On some devices, filter.mag_capture_auto_calibration captures them from the filter's automatic calibration. The device applies the correction before it sends sensor.scaled_mag.", least = 1,
+    doc = "Sets the offset that corrects the scaled magnetic field for hard iron. The values come from a calibration of the device as it is installed. On some devices, filter.mag_capture_auto_calibration captures them from the filter's automatic calibration. Before it sends sensor.scaled_mag, the device corrects the field: the matrix times (measured - offset), with the matrix of 3dm.mag_soft_iron_matrix. Uncertain: The sources do not state the formula; it is inferred from the terms.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Offset that the device subtracts from the measured magnetic field. Unit: gauss. Frame: sensor. On the 3DM-GX5-45: default 0, 0, 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.mag_hard_iron_offset", title = "Magnetometer hard iron offset" }, })
 field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", title = "Magnetometer soft iron matrix",
-    doc = "Sets the matrix that corrects the scaled magnetic field for soft iron. The values come from a calibration of the device as it is installed. On some devices, filter.mag_capture_auto_calibration captures them from the filter's automatic calibration. The device applies the correction before it sends sensor.scaled_mag.", least = 1,
+    doc = "Sets the matrix that corrects the scaled magnetic field for soft iron. The values come from a calibration of the device as it is installed. On some devices, filter.mag_capture_auto_calibration captures them from the filter's automatic calibration. Before it sends sensor.scaled_mag, the device corrects the field: the matrix times (measured - offset), with the offset of 3dm.mag_hard_iron_offset. Uncertain: The sources do not state the formula; it is inferred from the terms.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, [6] = 1, }, silent = { [6] = true, },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
