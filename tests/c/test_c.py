@@ -580,6 +580,7 @@ title: Rare
 description: D.
 types:
   wide: {enum: u16, values: {one: 1, two: 2}}
+  some: {bitfield: u8, bits: {one: 0}}
 fields:
   - command: 0x01
     name: state
@@ -599,6 +600,7 @@ fields:
       - {name: device, type: u8, for: W}
       - {name: response, type: u16, count: device, for: W}
       - {name: value, type: char, count: 4, for: W}
+      - {name: number, type: some, for: W}
     responses: [{response: 0x82, name: response, parameters: as_command}]
 """
 RARE_CHECKS = [
@@ -606,7 +608,7 @@ RARE_CHECKS = [
     """{
         struct mip_rare_names made;
         const uint16_t numbers[] = {7, 8};
-        mip_rare_names_write(&made, 5, 2, numbers, "text");
+        mip_rare_names_write(&made, 5, 2, numbers, "text", 1);
         CHECK(made.command == 5 && made.device == 2 && made.response[1] == 8 && strcmp(made.value, "text") == 0);
     }""",
 ]
@@ -628,6 +630,8 @@ def test_awkward_names_and_rare_shapes(compiler: str, tmp_path: Path) -> None:
     sources = [program, *sorted((where / "src/mip").glob("*/*.c"))]
     if compiler == "g++":
         run(need("g++"), "-std=c++11", "-x", "c++", *WARNINGS, f"-I{where}/src", "-fsyntax-only", *sources[1:])
+        program.with_suffix(".cpp").write_text('#include "mip/cpp/rare_commands.hpp"\n')
+        run(need("g++"), "-std=c++17", *WARNINGS, f"-I{where}/src", "-fsyntax-only", program.with_suffix(".cpp"))
     else:
         run(need("cc"), "-std=c99", "-fshort-enums", *WARNINGS, f"-I{where}/src", f"-I{HERE}/unit", *sources,
             "-o", tmp_path / "rare")  # fmt: skip

@@ -384,6 +384,14 @@ void client_without_a_port() {
         CHECK(!client.send(3000, gone).empty() && client.c().waiting != nullptr);
     }
     CHECK(client.c().waiting == nullptr);
+    // For one of several responses, in which the function and the selector are fixed.
+    mip::client other;
+    mip::request status(for_device_status_basic_response{6251});
+    CHECK(other.send(0, status).size() == 11);
+    other.receive(answer(0x0C, MIP_3DM_DEVICE_STATUS_DESCRIPTOR, ok, device_status_basic_response{}), 10);
+    CHECK(status.result());
+    mip::builder packet(mip::base_set);
+    CHECK(packet.add(mip::base::read_for_gps_time_update_tow_response{}) == MIP_OK);
 }
 
 void rejected_fields() {

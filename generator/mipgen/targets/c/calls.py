@@ -269,7 +269,7 @@ def _call(
     doc += " The reply is decoded as this response." if fixed else ""
     passed: list[str] = []
     for p in parameters:
-        passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
+        passed += [literal(p, values[p.name])] if p.name in values else _passed(p)
     remaining = tuple(p for p in parameters if p.name not in values)
     data = _data(f, function, parameters, passed) if _determined(f, function, response, model) else None
     return Call(name, f, response, doc, way, remaining, tuple(passed), data=data, fixed=fixed)
@@ -339,7 +339,7 @@ def _passed(p: m.Parameter) -> list[str]:
     return [count_argument(p), name] if p.fills else [name]
 
 
-def _literal(p: m.Parameter, value: int) -> str:
+def literal(p: m.Parameter, value: int) -> str:
     """Writes the value of a parameter that selects the response."""
     if not isinstance(p.element, m.Enum) or not takes_enum(p):
         return str(value)

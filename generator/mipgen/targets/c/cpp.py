@@ -110,7 +110,7 @@ class Command:
     response: str
     receives: str  # the argument of `call` for the response
     call: str  # the call of the C function
-    fill: str  # the call that fills the C structure; empty if the members are not all that it needs
+    fill: str  # the call that fills the C structure
 
 
 def commands(f: m.Field, model: m.Model) -> list[Command]:
@@ -123,17 +123,19 @@ def _command(f: m.Field, c: calls.Call) -> Command:
     function = c.way.function if c.way else None
     answer = only_response(c.response) if c.response else "void"
     passed = ["device_", *(a for p in c.parameters for a in _passed(p, arrays)), *(["to_"] if c.response else [])]
-    filled = ["to_", *(a for p in parameters for a in _passed(p, arrays))]
+    fixed = {x.parameter: x.value for x in c.fixed.when} if c.fixed else {}
+    values = ([calls.literal(p, fixed[p.name])] if p.name in fixed else _passed(p, arrays) for p in parameters)
+    filled = ["to_", *(a for value in values for a in value)]
     what = f"{f.title}: {function.name}." if function else f"{f.title}."
     return Command(
         name=command_name(f, c),
         doc=[f"{what} See {c.name}."],
-        base="" if (fixed := _fixed(c)) is None else f"fixed_command<{', '.join([f'::{c_name}', answer, *fixed])}>",
+        base="" if (data := _fixed(c)) is None else f"fixed_command<{', '.join([f'::{c_name}', answer, *data])}>",
         members=[_declared(p, f) for p in c.parameters if p.name not in arrays],
         response=answer,
         receives=", response *to_" if c.response else "",
         call=f"::{c.name}({', '.join(passed)})",
-        fill=f"::{c_name}_{c.way.name if c.way else ''}({', '.join(filled)})" if c.parameters == parameters else "",
+        fill=f"::{c_name}_{c.way.name}({', '.join(filled)})" if c.way else "&(*to_ = {})",
     )
 
 
@@ -188,7 +190,7 @@ def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
     if takes_enum(p):
         return [f"static_cast<enum {names.type_name(p.element)}>({name})"]  # type: ignore[arg-type]
     if is_enum_class(p.element):
-        return [f"number({name})"]
+        return [f"::mip::number({name})"]
     return [f"&{name}" if names.is_struct(p.element) else name]
 
 

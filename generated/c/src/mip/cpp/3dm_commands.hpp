@@ -605,12 +605,12 @@ struct write_gnss_sbas_settings {
     using command = ::mip_3dm_gnss_sbas_settings;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_3dm_gnss_sbas_settings_write(device_, enable_sbas, number(sbas_options),
-                                                       detail::count(included_prns),
-                                                       included_prns.data());
+        return ::mip_call_3dm_gnss_sbas_settings_write(
+            device_, enable_sbas, ::mip::number(sbas_options), detail::count(included_prns),
+            included_prns.data());
     }
     const command *fill(command *to_) const {
-        return ::mip_3dm_gnss_sbas_settings_write(to_, enable_sbas, number(sbas_options),
+        return ::mip_3dm_gnss_sbas_settings_write(to_, enable_sbas, ::mip::number(sbas_options),
                                                   detail::count(included_prns),
                                                   included_prns.data());
     }
@@ -1234,14 +1234,14 @@ struct write_imu_signal_conditioning {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_3dm_imu_signal_conditioning_write(
-            device_, orientation_decimation, number(data_conditioning_flags), inertial_filter_width,
-            mag_filter_width, up_compensation, north_compensation,
+            device_, orientation_decimation, ::mip::number(data_conditioning_flags),
+            inertial_filter_width, mag_filter_width, up_compensation, north_compensation,
             static_cast<enum mip_3dm_mag_bandwidth>(mag_bandwidth));
     }
     const command *fill(command *to_) const {
         return ::mip_3dm_imu_signal_conditioning_write(
-            to_, orientation_decimation, number(data_conditioning_flags), inertial_filter_width,
-            mag_filter_width, up_compensation, north_compensation,
+            to_, orientation_decimation, ::mip::number(data_conditioning_flags),
+            inertial_filter_width, mag_filter_width, up_compensation, north_compensation,
             static_cast<enum mip_3dm_mag_bandwidth>(mag_bandwidth));
     }
 };
@@ -1557,12 +1557,13 @@ struct write_gpio_config {
     using command = ::mip_3dm_gpio_config;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_3dm_gpio_config_write(
-            device_, pin, static_cast<enum mip_gpio_feature>(feature), behavior, number(pin_mode));
+        return ::mip_call_3dm_gpio_config_write(device_, pin,
+                                                static_cast<enum mip_gpio_feature>(feature),
+                                                behavior, ::mip::number(pin_mode));
     }
     const command *fill(command *to_) const {
         return ::mip_3dm_gpio_config_write(to_, pin, static_cast<enum mip_gpio_feature>(feature),
-                                           behavior, number(pin_mode));
+                                           behavior, ::mip::number(pin_mode));
     }
 };
 
@@ -2193,6 +2194,10 @@ struct for_device_status_basic_rq1_imu_response {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_basic_rq1_imu_response(device_, model_number, to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_basic_response. */
@@ -2203,6 +2208,10 @@ struct for_device_status_basic_response {
     using response = ::mip::mip_3dm::device_status_basic_response;
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_basic_response(device_, model_number, to_);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
     }
 };
 
@@ -2216,6 +2225,10 @@ struct for_device_status_basic_without_state_response {
         return ::mip_call_for_3dm_device_status_basic_without_state_response(device_, model_number,
                                                                              to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_basic_gx3_response. */
@@ -2227,6 +2240,10 @@ struct for_device_status_basic_gx3_response {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_basic_gx3_response(device_, model_number, to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_diagnostic_response. */
@@ -2237,6 +2254,10 @@ struct for_device_status_diagnostic_response {
     using response = ::mip::mip_3dm::device_status_diagnostic_response;
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_diagnostic_response(device_, model_number, to_);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
     }
 };
 
@@ -2250,6 +2271,10 @@ struct for_device_status_diagnostic_gnss_response {
         return ::mip_call_for_3dm_device_status_diagnostic_gnss_response(device_, model_number,
                                                                          to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_diagnostic_gq4_45_response. */
@@ -2261,6 +2286,10 @@ struct for_device_status_diagnostic_gq4_45_response {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_diagnostic_gq4_45_response(device_, model_number,
                                                                            to_);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
     }
 };
 
@@ -2274,6 +2303,10 @@ struct for_device_status_diagnostic_rq1_45_response {
         return ::mip_call_for_3dm_device_status_diagnostic_rq1_45_response(device_, model_number,
                                                                            to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_diagnostic_gx4_response. */
@@ -2285,6 +2318,10 @@ struct for_device_status_diagnostic_gx4_response {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_diagnostic_gx4_response(device_, model_number, to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_diagnostic_imu_response. */
@@ -2295,6 +2332,10 @@ struct for_device_status_diagnostic_imu_response {
     using response = ::mip::mip_3dm::device_status_diagnostic_imu_response;
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_diagnostic_imu_response(device_, model_number, to_);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
     }
 };
 
@@ -2308,6 +2349,10 @@ struct for_device_status_diagnostic_gx4_imu_response {
         return ::mip_call_for_3dm_device_status_diagnostic_gx4_imu_response(device_, model_number,
                                                                             to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_diagnostic_rq1_imu_response. */
@@ -2320,6 +2365,10 @@ struct for_device_status_diagnostic_rq1_imu_response {
         return ::mip_call_for_3dm_device_status_diagnostic_rq1_imu_response(device_, model_number,
                                                                             to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
+    }
 };
 
 /** Device status. See mip_call_for_3dm_device_status_diagnostic_gx3_response. */
@@ -2330,6 +2379,10 @@ struct for_device_status_diagnostic_gx3_response {
     using response = ::mip::mip_3dm::device_status_diagnostic_gx3_response;
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_3dm_device_status_diagnostic_gx3_response(device_, model_number, to_);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_3dm_device_status_make(to_, model_number,
+                                            MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC);
     }
 };
 

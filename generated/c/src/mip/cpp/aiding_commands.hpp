@@ -193,11 +193,11 @@ struct ecef_position {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_ecef_position(device_, &time, frame_id, position, uncertainty,
-                                               number(valid_flags));
+                                               ::mip::number(valid_flags));
     }
     const command *fill(command *to_) const {
         return ::mip_aiding_ecef_position_make(to_, &time, frame_id, position, uncertainty,
-                                               number(valid_flags));
+                                               ::mip::number(valid_flags));
     }
 };
 
@@ -215,11 +215,11 @@ struct llh_position {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_llh_position(device_, &time, frame_id, latitude, longitude, height,
-                                              uncertainty, number(valid_flags));
+                                              uncertainty, ::mip::number(valid_flags));
     }
     const command *fill(command *to_) const {
         return ::mip_aiding_llh_position_make(to_, &time, frame_id, latitude, longitude, height,
-                                              uncertainty, number(valid_flags));
+                                              uncertainty, ::mip::number(valid_flags));
     }
 };
 
@@ -275,11 +275,11 @@ struct ecef_velocity {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_ecef_velocity(device_, &time, frame_id, velocity, uncertainty,
-                                               number(valid_flags));
+                                               ::mip::number(valid_flags));
     }
     const command *fill(command *to_) const {
         return ::mip_aiding_ecef_velocity_make(to_, &time, frame_id, velocity, uncertainty,
-                                               number(valid_flags));
+                                               ::mip::number(valid_flags));
     }
 };
 
@@ -295,11 +295,11 @@ struct ned_velocity {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_ned_velocity(device_, &time, frame_id, velocity, uncertainty,
-                                              number(valid_flags));
+                                              ::mip::number(valid_flags));
     }
     const command *fill(command *to_) const {
         return ::mip_aiding_ned_velocity_make(to_, &time, frame_id, velocity, uncertainty,
-                                              number(valid_flags));
+                                              ::mip::number(valid_flags));
     }
 };
 
@@ -315,11 +315,11 @@ struct body_frame_velocity {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_body_frame_velocity(device_, &time, frame_id, velocity,
-                                                     uncertainty, number(valid_flags));
+                                                     uncertainty, ::mip::number(valid_flags));
     }
     const command *fill(command *to_) const {
         return ::mip_aiding_body_frame_velocity_make(to_, &time, frame_id, velocity, uncertainty,
-                                                     number(valid_flags));
+                                                     ::mip::number(valid_flags));
     }
 };
 
@@ -355,11 +355,11 @@ struct magnetic_field {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_aiding_magnetic_field(device_, &time, frame_id, magnetic_field,
-                                                uncertainty, number(valid_flags));
+                                                uncertainty, ::mip::number(valid_flags));
     }
     const command *fill(command *to_) const {
         return ::mip_aiding_magnetic_field_make(to_, &time, frame_id, magnetic_field, uncertainty,
-                                                number(valid_flags));
+                                                ::mip::number(valid_flags));
     }
 };
 

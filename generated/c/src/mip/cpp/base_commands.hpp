@@ -170,6 +170,9 @@ struct read_for_gps_time_update_week_number_response {
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_base_gps_time_update_week_number_response_read(device_, to_);
     }
+    const command *fill(command *to_) const {
+        return ::mip_base_gps_time_update_read(to_, MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER);
+    }
 };
 
 /** GPS time update: read. See mip_call_for_base_gps_time_update_tow_response_read. */
@@ -179,6 +182,9 @@ struct read_for_gps_time_update_tow_response {
     using response = ::mip::base::gps_time_update_tow_response;
     mip_result call(mip_device *device_, response *to_) const {
         return ::mip_call_for_base_gps_time_update_tow_response_read(device_, to_);
+    }
+    const command *fill(command *to_) const {
+        return ::mip_base_gps_time_update_read(to_, MIP_BASE_GPS_TIME_FIELD_TOW);
     }
 };
 

@@ -395,10 +395,10 @@ struct write_estimation_control {
     using command = ::mip_filter_estimation_control;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_estimation_control_write(device_, number(flags));
+        return ::mip_call_filter_estimation_control_write(device_, ::mip::number(flags));
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_estimation_control_write(to_, number(flags));
+        return ::mip_filter_estimation_control_write(to_, ::mip::number(flags));
     }
 };
 
@@ -776,10 +776,10 @@ struct write_tare_orientation {
     using command = ::mip_filter_tare_orientation;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_tare_orientation_write(device_, number(axes));
+        return ::mip_call_filter_tare_orientation_write(device_, ::mip::number(axes));
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_tare_orientation_write(to_, number(axes));
+        return ::mip_filter_tare_orientation_write(to_, ::mip::number(axes));
     }
 };
 
@@ -987,10 +987,10 @@ struct write_enable_measurements {
     using command = ::mip_filter_enable_measurements;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_enable_measurements_write(device_, number(control));
+        return ::mip_call_filter_enable_measurements_write(device_, ::mip::number(control));
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_enable_measurements_write(to_, number(control));
+        return ::mip_filter_enable_measurements_write(to_, ::mip::number(control));
     }
 };
 
@@ -1487,11 +1487,12 @@ struct write_aiding_measurement_enable {
     using command = ::mip_filter_aiding_measurement_enable;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_aiding_measurement_enable_write(device_, number(aiding_source),
-                                                                 enable);
+        return ::mip_call_filter_aiding_measurement_enable_write(
+            device_, ::mip::number(aiding_source), enable);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_aiding_measurement_enable_write(to_, number(aiding_source), enable);
+        return ::mip_filter_aiding_measurement_enable_write(to_, ::mip::number(aiding_source),
+                                                            enable);
     }
 };
 
@@ -1502,11 +1503,11 @@ struct read_aiding_measurement_enable {
     using command = ::mip_filter_aiding_measurement_enable;
     using response = ::mip::filter::aiding_measurement_enable_response;
     mip_result call(mip_device *device_, response *to_) const {
-        return ::mip_call_filter_aiding_measurement_enable_read(device_, number(aiding_source),
-                                                                to_);
+        return ::mip_call_filter_aiding_measurement_enable_read(device_,
+                                                                ::mip::number(aiding_source), to_);
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_aiding_measurement_enable_read(to_, number(aiding_source));
+        return ::mip_filter_aiding_measurement_enable_read(to_, ::mip::number(aiding_source));
     }
 };
 
@@ -1517,10 +1518,11 @@ struct save_aiding_measurement_enable {
     using command = ::mip_filter_aiding_measurement_enable;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_aiding_measurement_enable_save(device_, number(aiding_source));
+        return ::mip_call_filter_aiding_measurement_enable_save(device_,
+                                                                ::mip::number(aiding_source));
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_aiding_measurement_enable_save(to_, number(aiding_source));
+        return ::mip_filter_aiding_measurement_enable_save(to_, ::mip::number(aiding_source));
     }
 };
 
@@ -1531,10 +1533,11 @@ struct load_aiding_measurement_enable {
     using command = ::mip_filter_aiding_measurement_enable;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_aiding_measurement_enable_load(device_, number(aiding_source));
+        return ::mip_call_filter_aiding_measurement_enable_load(device_,
+                                                                ::mip::number(aiding_source));
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_aiding_measurement_enable_load(to_, number(aiding_source));
+        return ::mip_filter_aiding_measurement_enable_load(to_, ::mip::number(aiding_source));
     }
 };
 
@@ -1545,10 +1548,11 @@ struct default_aiding_measurement_enable {
     using command = ::mip_filter_aiding_measurement_enable;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_filter_aiding_measurement_enable_default(device_, number(aiding_source));
+        return ::mip_call_filter_aiding_measurement_enable_default(device_,
+                                                                   ::mip::number(aiding_source));
     }
     const command *fill(command *to_) const {
-        return ::mip_filter_aiding_measurement_enable_default(to_, number(aiding_source));
+        return ::mip_filter_aiding_measurement_enable_default(to_, ::mip::number(aiding_source));
     }
 };
 
@@ -1609,16 +1613,16 @@ struct write_initialization_config {
         return ::mip_call_filter_initialization_config_write(
             device_, wait_for_run_command,
             static_cast<enum mip_filter_initial_condition_source>(initial_condition_source),
-            number(auto_heading_alignment_selector), initial_heading, initial_pitch, initial_roll,
-            initial_position, initial_velocity,
+            ::mip::number(auto_heading_alignment_selector), initial_heading, initial_pitch,
+            initial_roll, initial_position, initial_velocity,
             static_cast<enum mip_filter_reference_frame>(reference_frame_selector));
     }
     const command *fill(command *to_) const {
         return ::mip_filter_initialization_config_write(
             to_, wait_for_run_command,
             static_cast<enum mip_filter_initial_condition_source>(initial_condition_source),
-            number(auto_heading_alignment_selector), initial_heading, initial_pitch, initial_roll,
-            initial_position, initial_velocity,
+            ::mip::number(auto_heading_alignment_selector), initial_heading, initial_pitch,
+            initial_roll, initial_position, initial_velocity,
             static_cast<enum mip_filter_reference_frame>(reference_frame_selector));
     }
 };

@@ -45,13 +45,14 @@ struct write_signal_config {
     using command = ::mip_gnss_signal_config;
     using response = void;
     mip_result call(mip_device *device_) const {
-        return ::mip_call_gnss_signal_config_write(device_, number(gps_enable),
-                                                   number(glonass_enable), number(galileo_enable),
-                                                   number(beidou_enable));
+        return ::mip_call_gnss_signal_config_write(
+            device_, ::mip::number(gps_enable), ::mip::number(glonass_enable),
+            ::mip::number(galileo_enable), ::mip::number(beidou_enable));
     }
     const command *fill(command *to_) const {
-        return ::mip_gnss_signal_config_write(to_, number(gps_enable), number(glonass_enable),
-                                              number(galileo_enable), number(beidou_enable));
+        return ::mip_gnss_signal_config_write(
+            to_, ::mip::number(gps_enable), ::mip::number(glonass_enable),
+            ::mip::number(galileo_enable), ::mip::number(beidou_enable));
     }
 };
 

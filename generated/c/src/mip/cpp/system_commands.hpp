@@ -33,13 +33,13 @@ struct write_interface_control {
     using response = void;
     mip_result call(mip_device *device_) const {
         return ::mip_call_system_interface_control_write(
-            device_, static_cast<enum mip_comm_interface>(port), number(protocols_incoming),
-            number(protocols_outgoing));
+            device_, static_cast<enum mip_comm_interface>(port), ::mip::number(protocols_incoming),
+            ::mip::number(protocols_outgoing));
     }
     const command *fill(command *to_) const {
         return ::mip_system_interface_control_write(to_, static_cast<enum mip_comm_interface>(port),
-                                                    number(protocols_incoming),
-                                                    number(protocols_outgoing));
+                                                    ::mip::number(protocols_incoming),
+                                                    ::mip::number(protocols_outgoing));
     }
 };
 
