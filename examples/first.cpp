@@ -4,6 +4,7 @@
 #include "mip/cpp/sensor.hpp"
 
 #include <cstdio>
+#include <string>
 
 static void show(const char *what, const mip::result<void> &result) {
     if (!result) {

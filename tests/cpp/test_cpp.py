@@ -126,6 +126,8 @@ def test_examples_are_in_the_style_of_the_folder() -> None:
     paths = sorted(EXAMPLES.glob("*.cpp"))
     assert [p.name for p in paths] == ["log.cpp"]
     run(need("clang-format"), style, "--dry-run", "-Werror", *paths)
+    texts = [p.read_text("utf-8") for p in (ROOT / "examples").glob("*.cpp")]
+    assert all("#include <string>" in text for text in texts if "std::string(" in text)
 
 
 @pytest.mark.parametrize("source", ["log.cpp", "log.c"])
@@ -133,23 +135,23 @@ def test_the_log_reader_reads_a_log(source: str, tmp_path: Path) -> None:
     of, log = model("real"), tmp_path / "log.bin"
     fields = {name: of.field(f"filter_data.{name}") for name in ("timestamp", "llh_position")}
     data = {
-        "timestamp": struct.pack(">dHH", 12.5, 2000, 1),
-        "llh_position": struct.pack(">dddH", 48.5, 11.25, 500.0, 1),
+        "timestamp": struct.pack(">dHH", 345678.123, 2000, 1),
+        "llh_position": struct.pack(">dddH", 48.137154372, 11.575382, 500.0, 1),
     }
     parts = [(f.descriptor, data[name]) for name, f in fields.items() if f]
     packet = codec.build(of, 0x82, parts)
     log.write_bytes(b"$GPGGA\r\n" + packet + b"ue" + packet)
     if source == "log.c":
         program = compiled(tmp_path / "log", "real", "cc", EXAMPLES / source, *SANITIZED)
-        line, heading = "12.500,48.500000000,11.250000000\n", "time,latitude,longitude\n"
-        summary = "2 x filter_data.llh_position\n2 x filter_data.timestamp\n"
+        flags, heading = "", "time,latitude,longitude\n"
     else:
         program = built(tmp_path, EXAMPLES / source)
-        line, heading = "12.5,48.5,11.25,valid\n", "time,latitude,longitude,flags\n"
-        summary = "2 x llh_position\n2 x timestamp\n"
+        flags, heading = ",valid", "time,latitude,longitude,flags\n"
+    line = f"345678.123,48.137154372,11.575382000{flags}\n"
     done = subprocess.run([program, log], capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, f"{heading}{line}{line}"), done.stderr
-    assert f"{summary}10 bytes are not part of a packet\n" in done.stderr
+    summary = "2 x filter_data.llh_position\n2 x filter_data.timestamp\n10 bytes are not part of a packet\n"
+    assert summary in done.stderr
     assert subprocess.run([program], capture_output=True).returncode == 2
 
 

@@ -4,10 +4,10 @@
 #include "mip/extra/registry.h"
 
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <string>
 #include <vector>
 
 int main(int argc, char **argv) {
@@ -19,26 +19,30 @@ int main(int argc, char **argv) {
     const std::vector<char> log{std::istreambuf_iterator<char>(file), {}};
     const auto *first = reinterpret_cast<const std::uint8_t *>(log.data());
 
-    std::map<std::string, int> count;
+    std::map<std::uint16_t, int> count; // by descriptor set and descriptor
     double time = 0;
     mip::packets packets({first, log.size()});
-    std::cout << "time,latitude,longitude,flags\n";
+    std::cout << std::fixed << "time,latitude,longitude,flags\n";
     for (const mip::packet &packet : packets) {
         for (const mip::field &field : packet) {
-            const mip_entry *known = mip_registry_find(&field);
-            const int number = ++count[known != nullptr ? known->name : "unknown"];
+            const int number = ++count[field.key()];
             if (const auto stamp = field.as<mip::filter_data::timestamp>()) {
                 time = stamp->tow;
             } else if (const auto place = field.as<mip::filter_data::llh_position>()) {
-                std::cout << time << ',' << place->latitude << ',' << place->longitude << ','
+                std::cout << std::setprecision(3) << time << ',' << std::setprecision(9)
+                          << place->latitude << ',' << place->longitude << ','
                           << place->valid_flags() << '\n';
             } else if (field.is<mip::filter_data::status>() && number == 1) {
                 std::cerr << "first status:" << field << '\n';
             }
         }
     }
-    for (const auto &[name, number] : count) {
-        std::cerr << number << " x " << name << '\n';
+    for (const auto &[key, number] : count) {
+        const auto set = static_cast<std::uint8_t>(key >> 8);
+        const mip_entry *known = mip_registry_next(set, static_cast<std::uint8_t>(key), nullptr);
+        std::cerr << number << " x "
+                  << (known != nullptr ? mip_registry_set_name(known, set) : "unknown") << '.'
+                  << (known != nullptr ? known->name : "field") << '\n';
     }
     std::cerr << packets.skipped() << " bytes are not part of a packet\n";
     return 0;
