@@ -121,6 +121,49 @@ def test_unit(compiler: str, standard: str, tmp_path: Path) -> None:
     run(compiled(tmp_path / "use", "real", compiler, HERE / "unit/use.cpp", *flags, library=library))
 
 
+THROWS = """#include "mip/cpp/mip.hpp"
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+struct Port {
+    bool lost;
+    std::optional<std::size_t> read(mip::span<std::uint8_t> room) {
+        const std::uint8_t reply[] = {0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A};
+        return lost ? throw 1 : std::copy(std::begin(reply), std::end(reply), room.begin()) - room.begin();
+    }
+    bool write(mip::bytes) { return true; }
+    std::uint32_t now() { return 0; }
+};
+int main(int argc, char **) {
+    std::set_terminate([] { std::_Exit(0); });
+    Port port{argc == 1};
+    mip::device device(port);
+    const auto observer = [](const mip::packet &, bool) { throw 1; };
+    if (argc == 2) {
+        device.on<mip::acknowledge>([](const auto &) { throw 1; });
+    } else if (argc == 3) {
+        device.on_other([](const mip::field &) { throw 1; });
+    } else {
+        device.observe(observer);
+    }
+    try {
+        device.poll();
+    } catch (int) {
+    }
+    return 1;
+}
+"""
+
+
+def test_an_exception_from_a_port_or_a_handler_ends_the_program(tmp_path: Path) -> None:
+    """It must not pass through the C library, which would leave the device in the middle of a packet."""
+    source = tmp_path / "throws.cpp"
+    source.write_text(THROWS)
+    program = built(tmp_path, source)
+    for arguments in ([], ["on"], ["on", "other"], ["observe"] * 3):
+        run(program, *arguments)
+
+
 def test_examples_are_in_the_style_of_the_folder() -> None:
     style = f"--style=file:{folder('real') / '.clang-format'}"
     paths = sorted(EXAMPLES.glob("*.cpp"))

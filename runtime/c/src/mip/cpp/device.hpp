@@ -204,7 +204,8 @@ namespace detail {
 template <class Port>
 auto waits_of(int)
     -> std::enable_if_t<sizeof(std::declval<Port &>().waits()) != 0, bool (*)(void *)> {
-    return [](void *user) { return static_cast<bool>(static_cast<Port *>(user)->waits()); };
+    return
+        [](void *user) noexcept { return static_cast<bool>(static_cast<Port *>(user)->waits()); };
 }
 template <class Port> std::nullptr_t waits_of(...) {
     return nullptr;
@@ -215,19 +216,21 @@ template <class Port> std::nullptr_t waits_of(...) {
  * Returns a C port that calls your object, which must outlive the device and have
  * `std::optional<std::size_t> read(mip::span<std::uint8_t> room)`, `bool write(mip::bytes packet)`
  * and `std::uint32_t now()`. They do what the functions of struct mip_port do. For a line such as
- * UDP, also `bool waits()`: see struct mip_device.
+ * UDP, also `bool waits()`: see struct mip_device. An exception from any of them ends the program.
  */
 template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
-    return {[](void *user, std::uint8_t *to, std::size_t size, std::size_t *count) {
+    return {[](void *user, std::uint8_t *to, std::size_t size, std::size_t *count) noexcept {
                 const std::optional<std::size_t> read =
                     static_cast<Port *>(user)->read(span<std::uint8_t>(to, size));
                 *count = read.value_or(0);
                 return read.has_value();
             },
-            [](void *user, const std::uint8_t *from, std::size_t size) {
+            [](void *user, const std::uint8_t *from, std::size_t size) noexcept {
                 return static_cast<bool>(static_cast<Port *>(user)->write(bytes(from, size)));
             },
-            [](void *user) { return static_cast<std::uint32_t>(static_cast<Port *>(user)->now()); },
+            [](void *user) noexcept {
+                return static_cast<std::uint32_t>(static_cast<Port *>(user)->now());
+            },
             &port};
 }
 
@@ -254,7 +257,7 @@ template <std::size_t Handlers = 8> class device {
      * Registers a handler that is called with each value of type T that arrives: `(const T
      * &value)`, optionally with `const field &from`, and `std::uint32_t arrived`, the time by the
      * port's clock. Only the first handler of a field is called. It must not block, nor call the
-     * device.
+     * device. An exception from a handler ends the program.
      *
      * The device stores a copy, so a lambda may capture at most two pointers, such as `[this]` or
      * `[&a, &b]`. If there is no room for the handler, poll returns false from then on.
@@ -270,7 +273,7 @@ template <std::size_t Handlers = 8> class device {
                           std::is_invocable_v<Handler &, const T &, const field &, std::uint32_t>,
                       "a handler takes the value and, optionally, the field and the time");
         add(&traits<T>::codec(), descriptor_set, handler,
-            [](void *user, const mip_field *from, std::uint32_t arrived) {
+            [](void *user, const mip_field *from, std::uint32_t arrived) noexcept {
                 T value;
                 c_type<T> &to = value;
                 if (mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to),
@@ -284,7 +287,7 @@ template <std::size_t Handlers = 8> class device {
      * `(const field &from)`, optionally with the time. */
     template <class Handler> void on_other(Handler handler) {
         add(MIP_ANY_FIELD, MIP_ANY_SET, handler,
-            [](void *user, const mip_field *from, std::uint32_t arrived) {
+            [](void *user, const mip_field *from, std::uint32_t arrived) noexcept {
                 Handler &call = *std::launder(static_cast<Handler *>(user));
                 if constexpr (std::is_invocable_v<Handler &, const field &, std::uint32_t>) {
                     call(field(*from), arrived);
@@ -303,7 +306,7 @@ template <std::size_t Handlers = 8> class device {
     template <class Handler> void observe(Handler &handler) {
         static_assert(std::is_invocable_v<Handler &, const packet &, bool>,
                       "an observer takes the packet, and whether it ends");
-        observer_.packet = [](void *user, const mip_device *from, bool ends) {
+        observer_.packet = [](void *user, const mip_device *from, bool ends) noexcept {
             (*static_cast<Handler *>(user))(packet(*from->packet), ends);
         };
         observer_.user = const_cast<void *>(static_cast<const void *>(&handler));
