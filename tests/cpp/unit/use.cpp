@@ -41,7 +41,7 @@ template <class... Values> std::string shown(const Values &...values) {
 
 static_assert(mip::descriptor<scaled_accel> == 0x04 && mip::traits<scaled_accel>::key == 0x8004);
 static_assert(mip::traits<scaled_accel>::name == "sensor.scaled_accel");
-static_assert(mip::traits<fix_info>::key == 0, "it occurs in several sets");
+static_assert(std::is_void_v<std::iterator_traits<mip::packet::iterator>::pointer>);
 static_assert(std::is_trivially_copyable_v<fix_info> && sizeof(fix_info) == sizeof(mip_gnss_data_fix_info));
 static_assert(sizeof(mip::mip_3dm::pps_source) == 1);
 static_assert(mip::sensor_set == 0x80 && mip::gnss_2_set == 0x92);
@@ -70,6 +70,9 @@ void flags() {
     mip_set_bits(test.bytes, MIP_BITS(127, 1), 1);
     using bits = mip::gq7_continuous_built_in_test_bits;
     CHECK(!mip::has(test, static_cast<bits>(1 << 8)) && mip::get(test, static_cast<bits>(127 | 1 << 8)) == 1);
+    mip::system_data::built_in_test sent = {};
+    std::memcpy(sent.result, test.bytes, sizeof(sent.result));
+    CHECK(!mip::has(sent.result, static_cast<bits>(1 << 8)) && mip::get(sent.result, static_cast<bits>(127 | 1 << 8)) == 1);
 }
 
 void spans() {

@@ -38,8 +38,8 @@ namespace mip {
  */
 
 /**
- * Facts about a layout: `key`, as mip_field_key returns it, or 0 if the layout occurs in several
- * descriptor sets; `descriptor`; `name`, as in the specification; `codec()`; and `decode`, without
+ * Facts about a layout: `descriptor`; `key`, as mip_field_key returns it, unless the layout occurs
+ * in several descriptor sets; `name`, as in the specification; `codec()`; and `decode`, without
  * tables if its size is fixed. The headers of descriptor sets specialize it for each C structure;
  * types derived from one have the same facts.
  */
@@ -47,11 +47,20 @@ template <class T, class = void> struct traits;
 template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
+namespace detail {
+
+/** Defines `key`, except for a layout of several descriptor sets, for which it is 0 here. */
+template <std::uint16_t Key> struct keyed {
+    static constexpr std::uint16_t key = Key;
+};
+template <> struct keyed<0> {};
+
+} // namespace detail
+
 /** Marks a C structure as a layout. */
 #define MIP_LAYOUT(type, constant, number, words, decoder)                \
-    template <> struct traits<::type> {                                   \
+    template <> struct traits<::type> : detail::keyed<number> {           \
         using c_type = ::type;                                            \
-        static constexpr std::uint16_t key = number;                      \
         static constexpr std::uint8_t descriptor = constant##_DESCRIPTOR; \
         static constexpr std::string_view name = words;                   \
         static const mip_codec &codec() {                                 \
@@ -113,11 +122,6 @@ template <class T> class span {
     constexpr T &operator[](std::size_t index) const {
         return data_[index];
     }
-#ifdef __cpp_lib_span
-    constexpr operator std::span<T>() const {
-        return {data_, size_};
-    }
-#endif
 
   private:
     T *data_ = nullptr;
@@ -239,6 +243,10 @@ template <class Flags, class E, class = detail::if_bits<E>>
 std::uint64_t get(const Flags &flags, E bits) {
     return mip_get_bits(flags.bytes, number(bits));
 }
+template <std::size_t Size, class E, class = detail::if_bits<E>>
+std::uint64_t get(const std::uint8_t (&flags)[Size], E bits) {
+    return mip_get_bits(flags, number(bits));
+}
 
 /** Is this flag set in a bitfield in bytes, or any bit of this number? */
 template <class Flags, class E, class = detail::if_bits<E>> bool has(const Flags &flags, E bits) {
@@ -355,7 +363,7 @@ struct packet : mip_packet {
         using iterator_category = std::input_iterator_tag;
         using value_type = field;
         using difference_type = std::ptrdiff_t;
-        using pointer = const field *;
+        using pointer = void;
         using reference = field;
 
         explicit iterator(const mip_packet &packet) : walk_(mip_walk_packet(&packet)) {
@@ -648,5 +656,10 @@ class builder {
 };
 
 } // namespace mip
+
+#ifdef __cpp_lib_span
+/* So that std::span is constructed from one. */
+template <class T> inline constexpr bool std::ranges::enable_borrowed_range<mip::span<T>> = true;
+#endif
 
 #endif

@@ -300,10 +300,12 @@ template <std::size_t Handlers = 8> class device {
 
     /**
      * Observes packets: `handler(const packet &of, bool ends)` is called before the fields of each
-     * packet are handled, and after that, with `ends` true. It must stay at its address, and the
-     * same restrictions apply as to other handlers.
+     * packet are handled, and after that, with `ends` true. It is an object that stays at its
+     * address, such as a named lambda. The same restrictions apply as to other handlers.
      */
     template <class Handler> void observe(Handler &handler) {
+        static_assert(!std::is_function_v<Handler>,
+                      "an observer is an object, such as a named lambda that calls the function");
         static_assert(std::is_invocable_v<Handler &, const packet &, bool>,
                       "an observer takes the packet, and whether it ends");
         observer_.packet = [](void *user, const mip_device *from, bool ends) noexcept {
