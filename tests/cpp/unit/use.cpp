@@ -235,6 +235,7 @@ void calls() {
     const auto ok = mip::ack_code::ok;
     port.answers = {{0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A},
                     answer(0x0C, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR, ok, gpio),
+                    answer(0x0C, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR, ok),
                     answer(0x0C, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR, mip::ack_code::invalid_parameter),
                     answer(0x0C, MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR, ok),
                     answer(0x0C, MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR, ok),
@@ -246,10 +247,16 @@ void calls() {
     CHECK(read && read->source() == pps_source::gpio && (*read).source() == pps_source::gpio);
     const mip::result<> &any = read; // of any response
     CHECK(any && any.outcome() == mip::outcome::acknowledged);
+    auto command = mip::change(*read);
+    CHECK(command.source == mip::number(pps_source::gpio));
+    command.source = mip::number(pps_source::disabled);
+    CHECK(device.call(command) && port.written[7] == MIP_3DM_PPS_SOURCE_DISABLED);
     const auto refused = device.call(write_pps_source_control{pps_source::gpio});
     CHECK(!refused && refused.outcome() == mip::outcome::refused);
     CHECK(refused.code() == mip::ack_code::invalid_parameter);
     CHECK(shown(refused) == "refused, invalid_parameter");
+    mip_retry retry = {2, 1U << MIP_REFUSED};
+    CHECK(mip_again(&retry, refused.c()));
 
     // A span, and the same with the builder and with the structure of C.
     const mip::descriptor_rate rates[] = {{4, 10}, {5, 1000}};
@@ -379,6 +386,7 @@ void client_without_a_port() {
     const std::vector<mip::descriptor_rate> many(300);
     mip::request format(write_message_format{mip::sensor_set, many});
     CHECK(client.send(2000, pps, format).empty() && !pps.waiting() && !format.waiting());
+    CHECK(mip::number(pps.result()->source()) == 0); // not that of the last time
     CHECK(format.result().error() == MIP_ERROR_COUNT && client.c().waiting == nullptr);
     // A command of another set than the first.
     CHECK(client.send(2000, ping, pps).empty() && pps.result().error() == MIP_ERROR_SET);
@@ -405,6 +413,8 @@ void rejected_fields() {
     CHECK(mag && mag.why() == mip::rejection::absent && mag.index == 1 && mag.descriptor == 0x06);
     CHECK(mag.text(text, known).substr(0, 10) == "3DM-CV7-AR" && mag.text(part, known) == "3DM-CV7-A");
     CHECK(!mip::find_rejected(mip::base::ping{}, known)); // it lists no fields
+    const auto older = mip::find_rejected(mip::mip_3dm::write_message_format{mip::filter_data_set, rates}, {&mip_profile_gx5_15, nullptr, 0});
+    CHECK(older.why() == mip::rejection::other_command && older.descriptor == MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR);
 }
 
 } // namespace

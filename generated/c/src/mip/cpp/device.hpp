@@ -60,8 +60,8 @@ class [[nodiscard]] basic_result {
     mip::outcome outcome() const {
         return static_cast<mip::outcome>(result_.outcome);
     }
-    /** Returns the acknowledge code, if there was a reply: why the device has rejected the command.
-     */
+    /** Returns the acknowledge code: why the device has rejected the command. It is ok if there was
+     * no reply. */
     ack_code code() const {
         return static_cast<ack_code>(result_.code);
     }
@@ -72,6 +72,10 @@ class [[nodiscard]] basic_result {
     /** Returns the name of the code or the error, if there is one. */
     std::string_view reason() const {
         return mip_result_reason(result_);
+    }
+    /** Returns the C result, such as for mip_again. */
+    const mip_result &c() const {
+        return result_;
     }
 
   private:

@@ -1,6 +1,6 @@
 /**
  * @file
- * The field for which a device has rejected a command that lists fields, in C++17.
+ * The field for which a device has rejected a command, in C++17: see mip/extra/rejected.h.
  */
 #ifndef MIP_REJECTED_HPP
 #define MIP_REJECTED_HPP
@@ -23,10 +23,13 @@ enum class rejection {
     /** It is not data of the set. */
     undefined = MIP_REJECTION_UNDEFINED,
     /** No source states that this model sends it. */
-    unlisted = MIP_REJECTION_UNLISTED
+    unlisted = MIP_REJECTION_UNLISTED,
+    /** The device has another command for it, whose set and descriptor are stated. */
+    other_command = MIP_REJECTION_OTHER_COMMAND
 };
 
-/** The field for which a device has rejected a command; false if nothing shows it. */
+/** The field for which a device has rejected a command, or the command that it has instead. It is
+ * false if nothing shows it. */
 struct rejected_field : mip_rejected {
     rejected_field(const mip_rejected &other) : mip_rejected(other) {
     }
@@ -45,7 +48,8 @@ struct rejected_field : mip_rejected {
     }
 };
 
-/** Finds the field for which a device has rejected a command: `write_...{}`, or a C structure. */
+/** Finds the field for which a device has rejected a command, or the command that it has instead.
+ * The command is `write_...{}`, or a C structure. */
 template <class Command>
 rejected_field find_rejected(const Command &command, const mip_known_device &known) {
     builder built(traits<typename detail::sent<Command>::structure>::codec().descriptor_set);

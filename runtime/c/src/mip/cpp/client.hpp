@@ -13,7 +13,8 @@ class client;
 
 /**
  * A command and its response: `mip::request ping(mip::base::ping{})`. It can be sent again. The
- * client must outlive it, and stores its address while it waits.
+ * client must outlive it, and stores its address while it waits. A span in the command is not
+ * copied: its array must exist whenever the command is sent.
  */
 template <class Command> class request {
   public:
@@ -73,6 +74,7 @@ template <class Command> class request {
         cancel();
         client_ = nullptr;
         request_ = {};
+        response_ = {};
         request_.result.error = error;
     }
 
