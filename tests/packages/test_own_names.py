@@ -79,7 +79,27 @@ def types_of_a_set(body: str) -> Callable[[list[str]], dict[str, str]]:
 
 def values(names: list[str]) -> dict[str, str]:
     rows = "\n".join(f'      "{n}": {i}' for i, n in enumerate(names))
-    return {"types/own.yaml": f"types:\n  own:\n    enum: u16\n    description: D.\n    values:\n{rows}"}
+    return {
+        "types/own.yaml": f"types:\n  own:\n    enum: u16\n    description: D.\n    values:\n{rows}",
+        **used(["own"]),
+    }
+
+
+def used(types: list[str]) -> dict[str, str]:
+    """Commands and responses with parameters of these types: what is done with a value looks up names of its class."""
+    text = "fields:"
+    for number, some in groups(types, 20):
+        rows = "\n".join(f"      - {{name: {t}, type: {t}, for: W, description: D.}}" for t in some)
+        text += f"""
+  - command: {number + 1}
+    name: use{number}
+    title: Use {number}
+    description: D.
+    functions: WR
+    responses: [{{response: {number + 0x81}, parameters: as_command}}]
+    parameters:
+{rows}"""
+    return {"sets/used.yaml": in_set(0x70, "used", text)}
 
 
 def members(names: list[str]) -> dict[str, str]:
@@ -91,11 +111,14 @@ def members(names: list[str]) -> dict[str, str]:
 
 
 def bits(names: list[str]) -> dict[str, str]:
-    text = "types:"
-    for number, some in groups(names, 50):
-        rows = "\n".join(f'      "{n}": {i}' for i, n in enumerate(some))
-        text += f"\n  own{number}:\n    bitfield: u64\n    description: D.\n    bits:\n{rows}"
-    return {"types/own.yaml": text}
+    """Flags, and numbers of two bits: these have members of their own."""
+    text, types = "types:", []
+    for width in (1, 2):
+        for number, some in groups(names, 60 // width):
+            rows = "\n".join(f'      "{n}": {i * width}-{i * width + width - 1}' for i, n in enumerate(some))
+            types.append(f"own{width}_{number}")
+            text += f"\n  {types[-1]}:\n    bitfield: u64\n    description: D.\n    bits:\n{rows}"
+    return {"types/own.yaml": text, **used(types)}
 
 
 def elements(names: list[str]) -> dict[str, str]:
@@ -132,19 +155,24 @@ KINDS: dict[str, Callable[[list[str]], dict[str, str]]] = {
 }
 
 
+def with_names(kind: str, names: list[str], folder: Path) -> m.Model:
+    """The specification with these names, each at a line that names it."""
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(BASE, folder)
+    for path, text in KINDS[kind](names).items():
+        (folder / path).write_text(text, "utf-8")
+    return load_model(folder)
+
+
 def accepted(kind: str, target: str, folder: Path) -> tuple[m.Model, int]:
-    """The specification with all words that are not refused, each at a line that names it; and how many are refused."""
+    """The specification with all words that are not refused; and how many are refused."""
     names = files_and_namespaces() if kind == "set" else words("rust" if target == "rust" else "")
     if (kind, target) == ("field", "rust"):  # an enumeration of all fields takes long; the types of a set have the rest
         names = sorted({*names} & types_of_rust())
     refused = 0
     for _ in range(6):
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(BASE, folder)
-        for path, text in KINDS[kind](names).items():
-            (folder / path).write_text(text, "utf-8")
         try:
-            model = load_model(folder)
+            model = with_names(kind, names, folder)
             build.check_names(model, [discovery.targets()[target]])
             return model, refused
         except SpecError as error:
@@ -184,8 +212,12 @@ def import_python(made: Path) -> None:
     program = """
 import importlib, pkgutil
 import mip_protocol as mip
-for module in pkgutil.walk_packages(mip.__path__, "mip_protocol."):
-    importlib.import_module(module.name)
+for found in pkgutil.walk_packages(mip.__path__, "mip_protocol."):
+    module = importlib.import_module(found.name)
+    for kind in (k for kinds in getattr(module, "FIELDS", {}).values() for k in kinds):
+        if isinstance(kind, type) and issubclass(kind, (mip.Data, mip.Response)) and kind._SIZE:
+            value = kind.decode(bytes(kind._SIZE))
+            value.to_dict(), value.to_text()
 for name in (*mip.__all__, *dir(mip)):
     getattr(mip, name)
 """
@@ -194,6 +226,17 @@ for name in (*mip.__all__, *dir(mip)):
 
 def check_rust(made: Path) -> None:
     run(need("cargo"), "check", "--quiet", "--lib", "--offline", "--target-dir", made / "target", cwd=made)
+
+
+@uses("g++")
+@pytest.mark.parametrize("target", ["c", "python"])
+@pytest.mark.parametrize("kind", ["value", "bit"])
+def test_names_of_members_of_classes(kind: str, target: str, tmp_path: Path) -> None:
+    """Of those of all words, the ones that the body of a class or a look-up in it uses."""
+    model = with_names(kind, ["info", "int", "into", "mro", "name", "property", "self"], tmp_path / "spec")
+    build.check_names(model, [discovery.targets()[target]])
+    output.write(render.render(target, model), tmp_path / target)
+    CHECKS[target](tmp_path / target)
 
 
 CHECKS = {"rust": check_rust, "c": compile_c, "javascript": import_javascript, "python": import_python}

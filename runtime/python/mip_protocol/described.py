@@ -21,7 +21,7 @@ def description(kind: Any) -> Any:
     A class that is made at run time describes itself. Raises LookupError for any other class.
     """
     own = vars(kind).get("INFO")
-    if own is not None and not isinstance(own, Description):
+    if own is not None and not isinstance(own, (Description, kind)):
         return own
     for base in kind.__mro__:
         package, _, module = base.__module__.rpartition(".")

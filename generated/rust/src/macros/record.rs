@@ -188,7 +188,7 @@ macro_rules! constructor {
         #[must_use]
         #[allow(clippy::too_many_arguments)]
         pub fn $new($($given: $type),+) -> Self {
-            Self { $($set: $value,)* $($given: $given.into(),)+ }
+            Self { $($set: $value,)* $($given: ::core::convert::Into::into($given),)+ }
         }
     };
     (
@@ -202,7 +202,7 @@ macro_rules! constructor {
         pub fn $new($($given: $type),+) -> $crate::protocol::$call<Self> {
             $crate::Call::of(Self {
                 $($set: Some($value),)*
-                $($given: Some($given.into()),)+
+                $($given: Some(::core::convert::Into::into($given)),)+
                 ..Self::bare($crate::protocol::$call::<Self>::FUNCTION)
             })
         }
