@@ -9,15 +9,18 @@ import sys
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
 
 import pytest
+import yaml
 from bad_spec_files import BASE
 from c_build import headers
 from mipgen import model as m
 from mipgen.emit import build, discovery, output, render
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
-from support import ROOT, heavy, need, uses
+from support import ROOT, SPECS, heavy, need, uses
 
 ENDS = (".c", ".h", ".hpp", ".rs", ".py", ".mjs", ".mts", ".lua", ".j2")
 
@@ -237,6 +240,44 @@ def test_names_of_members_of_classes(kind: str, target: str, tmp_path: Path) -> 
     build.check_names(model, [discovery.targets()[target]])
     output.write(render.render(target, model), tmp_path / target)
     CHECKS[target](tmp_path / target)
+
+
+#: What ends a comment or a text, or begins an expression, in a language, a manifest or a document.
+HOSTILE = '*/ /* """ \\x ${x} $(x) @x@ <b> & # \' \N{SATELLITE} {{ x }}'
+
+
+def with_hostile_titles(node: Any) -> Any:
+    if isinstance(node, dict):
+        changed = {k: f"{v} {HOSTILE}" for k, v in node.items() if k == "title" and isinstance(v, str)}
+        return {k: with_hostile_titles(v) for k, v in node.items()} | changed
+    return [with_hostile_titles(x) for x in node] if isinstance(node, list) else node
+
+
+@uses("g++", "node")
+def test_titles_have_no_syntax(tmp_path: Path) -> None:
+    spec = Path(shutil.copytree(SPECS["invented"][0], tmp_path / "spec"))
+    for path in spec.rglob("*.yaml"):
+        document = with_hostile_titles(yaml.load(path.read_text("utf-8"), yaml.CSafeLoader))
+        if path.name == "protocol.yaml":
+            document["title"] = f"protocol {HOSTILE}"
+        path.write_text(yaml.safe_dump(document, sort_keys=False, allow_unicode=True), "utf-8")
+    model, made = load_model(spec), tmp_path / "made"
+    for target in discovery.targets():  # Python's formatter reads pyproject.toml
+        output.write(render.render(target, model), made / target)
+    for target in ("c", "javascript", "python"):
+        CHECKS[target](made / target)
+    for path in (p for end in ("svg", "xml") for p in made.rglob(f"*.{end}")):
+        assert ElementTree.parse(path), path
+    assert HOSTILE in str(ElementTree.parse(made / "ros2/package.xml").findtext("description"))
+    for name in ("c/idf_component.yml", "c/library.json", "javascript/package.json", "json/mip.json", "kaitai/mip.ksy"):
+        document = yaml.load((made / name).read_text("utf-8"), yaml.CSafeLoader)
+        document = document.get("meta", document)
+        assert HOSTILE in document.get("description", "") + document.get("title", ""), name
+    for name in ("rust/Cargo.toml", "markdown/mkdocs.yml", "python/pyproject.toml"):
+        assert "\\ud8" not in (made / name).read_text("utf-8"), name
+    for name in ("c/zephyr/Kconfig", "c/cmake/mip.pc.in"):
+        line = next(x for x in (made / name).read_text("utf-8").splitlines() if "protocol" in x)
+        assert line.count('"') in (0, 2) and not {*line} & {*"\\$@#"}
 
 
 CHECKS = {"rust": check_rust, "c": compile_c, "javascript": import_javascript, "python": import_python}

@@ -36,6 +36,8 @@ class Templates:
             **SETTINGS,
         )
         self.environment.filters.update(late)
+        # TOML and YAML have no pairs of surrogates, as JSON writes a character beyond 16 bits in ASCII.
+        self.environment.policies["json.dumps_kwargs"] = {"sort_keys": True, "ensure_ascii": False}
         self.environment.globals.update(variables)
 
     def render(self, template: str, context: Mapping[str, Any], path: str) -> str:

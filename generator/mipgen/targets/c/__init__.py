@@ -25,7 +25,7 @@ from mipgen.emit.target import File, Target
 from mipgen.lower.lists import alternatives, by_command, defined
 
 from . import calls, literals, names, validity, view
-from .comments import comment
+from .comments import comment, inert
 from .identifiers import identifiers
 from .names import GRAMMAR
 
@@ -185,8 +185,10 @@ TARGET = Target(
     filters={
         "comment": comment,
         "hex": literals.hexadecimal,
+        "inert": inert,
         "macro": names.macro,
         "module": names.module,
+        "plain": literals.plain,
         "string": literals.string,
         "version_number": literals.version_number,
     },

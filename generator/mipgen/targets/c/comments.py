@@ -42,9 +42,14 @@ def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
     return "\n".join(["/**", *(f" * {line}".rstrip() for line in lines), " */\n"])
 
 
+def inert(text: str) -> str:
+    """Writes a text for a comment, so that it neither ends that nor begins another."""
+    return text.replace("*/", "* /").replace("/*", "/ *")
+
+
 def _wrapped(paragraph: str, width: int) -> list[str]:
     lines: list[str] = []
-    for line in paragraph.replace("*/", "* /").replace("/*", "/ *").splitlines():
+    for line in inert(paragraph).splitlines():
         lines += wrapped(line, width, "  " * line.startswith("- "))
     return lines
 

@@ -38,6 +38,15 @@ def string(text: str | None) -> str:
     return f'"{out.replace("??", "?" + chr(92) + "?")}"'
 
 
+def plain(text: str) -> str:
+    """Writes a text without the characters that mean something to build systems.
+
+    >>> plain('a "b" ${c} @d@ 1')
+    'a b {c} d 1'
+    """
+    return " ".join(re.sub(r'["#$@\\]', " ", text).split())
+
+
 _SPECIAL = re.compile(r'["\\]|[^ -~]')
 
 

@@ -125,6 +125,7 @@ TARGET = Target(
     filters={
         "comment": docs.comment,
         "docstring": docs.docstring,
+        "escaped": docs.escaped,
         "hex": "0x{:02X}".format,
         "quoted": info.quoted,
         "repr": repr,

@@ -33,13 +33,18 @@ def docstring(paragraphs: Iterable[str], indent: int = 0) -> str:
         - two
         \"""
     """
-    text = "\n\n".join(filter(None, paragraphs)).replace("\\", "\\\\").replace('"""', r"\"\"\"")
+    text = escaped("\n\n".join(filter(None, paragraphs)))
     if not text:
         return ""
     lines = [line for long in f'"""{text}'.split("\n") for line in _wrapped(long, WIDTH - indent)]
     if len(lines) == 1 and indent + len(lines[0]) + 3 <= WIDTH:
         return lines[0] + (' """' if text.endswith('"') else '"""')
     return _indented([*lines, '"""'], indent)
+
+
+def escaped(text: str) -> str:
+    """Writes a text inside a docstring."""
+    return text.replace("\\", "\\\\").replace('"""', r"\"\"\"")
 
 
 def comment(paragraphs: Iterable[str], indent: int = 0) -> str:
