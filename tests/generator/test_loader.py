@@ -123,9 +123,11 @@ def test_what_is_no_file_and_a_name_that_is_no_text(tmp_path: Path) -> None:
     spec = Path(shutil.copytree(BASE, tmp_path / "spec"))
     os.mkfifo(spec / "sets/pipe.yaml")
     shutil.copy(spec / "protocol.yaml", os.fsdecode(os.fsencode(spec) + b"/sets/odd\xff.yaml"))
+    shutil.copy(spec / "protocol.yaml", spec / "sets/new\nline.yaml")
     with pytest.raises(SpecError) as caught:
         load_model(spec)
     assert [(p.file.rpartition("sets/")[2], p.message) for p in caught.value.problems] == [
+        ("new\\nline.yaml", "the name of this file contains an unprintable character; rename it"),
         ("odd\\udcff.yaml", "the name of this file is not UTF-8 text; rename it"),
         ("pipe.yaml", "this is not a file"),
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -46,6 +47,9 @@ PARTS = {"device": "devices", "family": "families", "named": "named", "manual": 
 #: The files of an overlay: the same, except that additions to the protocol are in `overlay.yaml`.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
+#: What Python puts in place of bytes in a file's name that are not UTF-8.
+_SURROGATE = re.compile(r"[\ud800-\udfff]")
+
 
 def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
     """Reads all files of a specification and its overlays; adds their mistakes to `problems`."""
@@ -70,9 +74,10 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
     for kind, pattern in layout.items():
         for path in _visible(folder.glob(pattern)):
             name = path.relative_to(folder).as_posix()
-            shown = display_path(path).encode("utf-8", "backslashreplace").decode()
+            shown = re.sub(r"[^ -~]", _printable, display_path(path))
             if not name.isprintable():
-                problems.add(Position(shown, 1, 1), "the name of this file is not UTF-8 text; rename it")
+                fault = "is not UTF-8 text" if _SURROGATE.search(name) else "contains an unprintable character"
+                problems.add(Position(shown, 1, 1), f"the name of this file {fault}; rename it")
                 continue
             if path.exists() and not path.is_file() and not path.is_dir():  # a pipe would never end
                 problems.add(Position(shown, 1, 1), "this is not a file")
@@ -93,6 +98,10 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
             else:
                 documents.append(Document(of, name, root))
     return documents
+
+
+def _printable(match: re.Match[str]) -> str:
+    return match[0] if match[0].isprintable() else match[0].encode("unicode_escape").decode()
 
 
 def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
