@@ -6,13 +6,17 @@ import doctest
 import importlib
 import pkgutil
 from collections.abc import Callable
+from dataclasses import replace
 
 import mipgen
 import pytest
+from mipgen.emit import package
 from mipgen.emit.naming import Escape, Grammar, Identifier, judge, pascal, upper
 from mipgen.read.problems import Problems
+from mipgen.resolve import checks
 from mipgen.targets.javascript import names as javascript
 from mipgen.targets.python import names as python
+from support import model
 
 MODULES = [m.name for m in pkgutil.walk_packages(mipgen.__path__, "mipgen.") if m.name != "mipgen.__main__"]
 
@@ -59,6 +63,22 @@ def test_escape() -> None:
 def test_names_of_the_runtime_are_escaped(legal: Callable[[str], str], taken: list[str], free: list[str]) -> None:
     assert [legal(name) for name in taken] == [f"{name}_" for name in taken]
     assert [legal(name) for name in free] == free
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "mip_x", "a mip-x", "Mip", "MIP_X", "the mip here", "mip_tools_x",
+        "MIP packets", "mip_tools", "mip-tools", "mip_simulator", "mipmap", "gmip_x",
+    ],
+)  # fmt: skip
+def test_values_that_a_package_would_change_are_refused(text: str) -> None:
+    changed = package.everywhere(text, "a_b") != text
+    of = model("invented")
+    device = replace(of.devices[0], also=(text,), notes=())
+    problems = Problems()
+    checks.check_package(replace(of, protocol=replace(of.protocol, package="a_b"), devices=(device,)), problems)
+    assert [p.message.partition(" contains ")[0] for p in problems.sorted()] == [repr(text)] * changed
 
 
 def test_names_of_other_things_than_the_language_has() -> None:

@@ -202,8 +202,13 @@ def check_words(model: m.Model, problems: Problems) -> None:
             problems.add(place, f"the name '{name}': the vocabulary uses '{word}' for '{match[1]}'; write '{word}'")
 
 
+#: What `emit.package` replaces in the output.
+_RENAMED = re.compile(r"\b(?:mip(?![_-]tools\b|_simulator\b)|Mip|MIP(?=_))(?![A-Za-z0-9])")
+
+
 def check_package(model: m.Model, problems: Problems) -> None:
-    """Rejects names that begin with `mip` in a package with another name: they would be renamed, too."""
+    """Rejects names that begin with `mip` in a package with another name, and values that contain it: they would be
+    renamed, too."""
     own, package = m.OWN_PACKAGE, model.protocol.package
     if package == own:
         return
@@ -212,6 +217,10 @@ def check_package(model: m.Model, problems: Problems) -> None:
         if name == own or name.startswith(f"{own}_"):
             renamed = package + name.removeprefix(own)
             problems.add(place, f"the name '{name}' would become '{renamed}' in the package '{package}'; rename it")
+    for text, place in _values(model):
+        if found := _RENAMED.search(text):
+            message = f"'{text}' contains '{found[0]}', which the package '{package}' replaces by its own name"
+            problems.add(place, f"{message}; write it differently")
 
 
 def check_clocks(model: m.Model, problems: Problems) -> None:
@@ -311,6 +320,19 @@ def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Posi
     for p in parameters:
         yield p.name, p.position
         yield from _names_of(p.alternatives)
+
+
+def _values(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
+    """Yields the titles, other names and ids that programs show or search."""
+    yield model.protocol.title, model.protocol.position
+    for x in model.families:
+        yield from ((title, x.position) for title in (x.title, *(s.title for s in x.sets)))
+        yield from ((named.title, named.position) for named in x.named)
+    for f in model.fields:
+        yield from ((text, f.position) for text in (*(o.title for o in f.occurrences), *f.also))
+    for d in model.devices:
+        ports = (text for p in d.ports for text in (p.name, *p.receives, *p.sends))
+        yield from ((text, d.position) for text in (d.id, d.title, *d.also, *ports, *(n.title for n in d.notes)))
 
 
 # --------------------------------------------------------------------------- types
