@@ -106,6 +106,19 @@ def test_no_field_at_all(tmp_path: Path) -> None:
         shutil.rmtree(tmp_path / "spec/sets", ignore_errors=True)
 
 
+@pytest.mark.parametrize(("target", "whose"), [("c", "names of a command"), ("javascript", "names of a class")])
+def test_a_function_with_a_name_of_every_command(target: str, whose: str, tmp_path: Path) -> None:
+    """It is reported once, where the function is."""
+    spec = Path(shutil.copytree(BASE, tmp_path / "spec"))
+    text = (spec / "protocol.yaml").read_text("utf-8").replace("  apply: {", "  decode: {")
+    (spec / "protocol.yaml").write_text(text, "utf-8")
+    of = f"decode of every {whose.rpartition(' ')[2]}"
+    assert problems(spec, target) == [
+        f"protocol.yaml:11:3: error: 'function decode' and '{of}' both become decode in the {whose} of the target "
+        f"{target}; rename one"
+    ]
+
+
 # --------------------------------------------------------------------------- completeness
 
 

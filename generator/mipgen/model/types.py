@@ -267,6 +267,7 @@ class Function:
     sets: bool  # True: it sets new values, so it may have optional parameters
     like: str | None  # the function whose parameters it requires
     description: str
+    position: Position | None = field(default=None, compare=False)
 
 
 def letters(functions: Iterable[Function]) -> str:

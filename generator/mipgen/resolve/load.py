@@ -130,13 +130,14 @@ def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
                 sets=n.scalar("sets", False),
                 like=like.value if like else None,
                 description=n["description"].value,
+                position=node.keys[name],
             )
         )
     return tuple(sorted(functions, key=lambda f: f.value))
 
 
 def _selector(functions: Iterable[m.Function]) -> m.Enum:
-    values = tuple(m.EnumValue(f.name, f.value, f.description) for f in functions)
+    values = tuple(m.EnumValue(f.name, f.value, f.description, position=f.position) for f in functions)
     return m.Enum("function_selector", m.SCALARS["u8"], values, "The operation that a settings command requests.", None)
 
 

@@ -25,10 +25,18 @@ from .names import (
     union_owner,
 )
 
+#: What the names of every command end with, so that none of its constructors can.
+ENDS = ("codec", "command", "decode", "decode_inline", "encode", "encode_inline", "exchange")
+
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     for name in runtime.runtime_names():
         yield Identifier("C", name, f"{name} of the core", None)
+    for end in ENDS:
+        yield Identifier("the names of a command", end, f"{end} of every command", None)
+    for function in model.protocol.functions:
+        what = f"function {function.name}"
+        yield Identifier("the names of a command", function.name, what, function.position, word=False)
     for t in (*model.types, model.protocol.function_selector):
         yield from of_type(t, model)
     yield from of_field(model.protocol.acknowledge, model)
@@ -74,7 +82,7 @@ def of_type(t: m.Type, model: m.Model) -> Iterator[Identifier]:
 def of_field(f: m.Field, model: m.Model) -> Iterator[Identifier]:
     name, inline = field_name(f), ("decode_inline", "encode_inline") if is_direct(f) else ()
     macros = ("descriptor", *(f"with_{p.name}" for p, _ in last_present(f)))
-    ends = ("codec", "decode", "encode", *inline, *(c.name for c in constructors(f)))
+    ends = ("codec", "decode", "encode", *inline, *(c.name for c in constructors(f) if c.name not in ENDS))
     fills = [w.name for w in [write_from_response(f, model)] if w]
     for own in (name, macro(name), *(macro(f"{name}_{x}") for x in macros), *(f"{name}_{end}" for end in ends), *fills):
         yield Identifier("C", own, f.full_name, f.position)

@@ -42,9 +42,17 @@ def files(model: m.Model) -> Iterator[File]:
 # --------------------------------------------------------------------------- identifiers
 
 
+#: What the class of every command has, so that none of its constructors can.
+STATIC = ("decode", "decodeWithTrailing", "layout", "matches", "occursIn", "prototype")
+
+
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     yield from json_document.identifiers(model)  # fields and types are also found by the names that they have in JSON
     yield from names.identifiers(model, _attributes)
+    for name in STATIC:
+        yield Identifier("the names of a class", name, f"{name} of every class", None)
+    for f in model.protocol.functions:
+        yield Identifier("the names of a class", names.camel(f.name), f"function {f.name}", f.position, word=False)
 
 
 def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:

@@ -95,7 +95,7 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
     for fixed in names.features():
         yield Identifier("the features", fixed, f"the feature {fixed}", None, word=False)
     for function in model.protocol.functions:
-        yield Identifier("protocol", names.call_type(function), f"the function {function.name}", None)
+        yield Identifier("protocol", names.call_type(function), f"the function {function.name}", function.position)
     for s in model.sets:
         yield Identifier("the descriptor sets", names.module(s.name).upper(), s.name, s.position)
     for family in model.families:
