@@ -48,11 +48,15 @@ def generated(out: Path, spec: str, *options: str) -> Path:
 @pytest.mark.parametrize("parts", ["extra", "cpp", "extra,cpp"])
 def test_what_is_left_out_is_in_no_file(parts: str, spec: str, tmp_path: Path) -> None:
     made = generated(tmp_path, spec, "--without", parts)
-    pages = [made / "README.md", made / "cmake/sources.cmake", *made.rglob("examples/**/*.*")]
-    text = "".join(path.read_text("utf-8") for path in pages)
+    pages = [*made.rglob("*.md")]
+    named = [*pages, made / "cmake/sources.cmake", *made.rglob("examples/**/*.*")]
+    text = "".join(path.read_text("utf-8") for path in named)
     for name in parts.split(","):
         assert not (made / "src/mip" / name).exists()
-        assert f"mip/{name}/" not in text and f"| `{name}/" not in text
+        assert f"mip/{name}/" not in text and f"`{name}/" not in text
+    for page in pages:
+        links = re.findall(r"\]\(([\w./-]+)[)#]", page.read_text("utf-8"))
+        assert [link for link in links if not (page.parent / link).exists()] == [], page
     assert "cpp" not in parts or not list(made.rglob("*.[hc]pp"))
     listed = (made / "cmake/sources.cmake").read_text("utf-8")
     assert listed.count(".c\n") == len(list(made.rglob("src/mip/**/*.c")))
