@@ -23,7 +23,7 @@ MANIFESTS = {
     "tools/mip_simulator/pyproject.toml": r"^Repository = \"(.*)\"",
     "generated/c/idf_component.yml": r"^repository: (.*)",
     "generated/c/library.json": r"\"type\": \"git\", \"url\": \"(.*?)\"",
-    "generated/c/library.properties": r"^url=(.*)",
+    "generated/c/library.properties": r"^url=(.+)",  # Arduino requires the key, even if empty
     "generated/javascript/package.json": r"\"type\": \"git\", \"url\": \"(.*?)\"",
     "generated/python/pyproject.toml": r"^Repository = \"(.*)\"",
     "generated/ros2/package.xml": r"<url type=\"repository\">(.*)</url>",
