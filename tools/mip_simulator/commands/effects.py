@@ -155,8 +155,10 @@ def _mounting(device: DeviceState, call: Call) -> Outcome:
     matrix = views.vehicle_matrix(effect, call.values)
     if call.writes and not views.is_rotation(matrix):
         raise Refused(INVALID_PARAMETER)
+    newer = not call.values.get("inverse")
     device.world.sensor_to_vehicle = matrix
-    if device.world.started and not call.values.get("inverse"):  # as the manual of the 3DM-CV7 states
+    device.world.complementary_turns = newer
+    if device.world.started and newer:  # as the manual of the 3DM-CV7 states
         device.world.filter.reset()
     return DONE
 

@@ -136,6 +136,7 @@ class Surroundings:
         self.hard_iron: Vector = ZERO
         self.soft_iron: Matrix = IDENTITY
         self.ranges: dict[str, float] = {}  # of sensors: accel in m/s^2, gyro in rad/s, mag in gauss
+        self.complementary_turns = True  # whether the mounting rotates the complementary filter, too
         self.offset: Vector = ZERO  # offset of the point whose position is reported, in the vehicle frame
         self.reference: Vector | None = None  # point of the relative position, Earth-fixed; None: the start
         self.odometer = 0.0  # relative uncertainty; 0: no odometer

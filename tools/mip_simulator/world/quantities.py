@@ -130,6 +130,8 @@ def _velocity(w: World, out: Output) -> Vector:
 
 def _matrix(w: World, out: Output) -> tuple[float, ...]:
     m = attitude_matrix(multiplied(conjugate(out.attitude), w.state.quaternion))
+    if not w.complementary_turns:
+        return m
     turn = w.sensor_to_vehicle
     columns = (turn[0], turn[3], turn[6], turn[1], turn[4], turn[7], turn[2], turn[5], turn[8])
     return earth.product(turn, earth.product(m, columns))

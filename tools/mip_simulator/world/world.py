@@ -75,15 +75,16 @@ class World(Surroundings):
 
     @property
     def complementary(self) -> Matrix:
-        """The attitude that the complementary filter estimates: it has errors of its own."""
+        """The attitude of the vehicle, or of the sensor, by the complementary filter: it has errors of its own."""
         return self.once("complementary", self._complementary)
 
     def _complementary(self) -> Matrix:
+        dcm = self.dcm if self.complementary_turns else self.state.dcm
         if not self.noise:
-            return self.dcm
+            return dcm
         deviation = self.noise * COMPLEMENTARY
         wrong = [deviation * wandering(f"{self.seed}:complementary:{i}", self.time) for i in range(3)]
-        return euler_rotation(*summed(euler(self.dcm), wrong))[1]
+        return euler_rotation(*summed(euler(dcm), wrong))[1]
 
     def fix(self, receiver: int) -> Antenna:
         """The position of the antenna as the receiver measures it."""

@@ -204,7 +204,7 @@ class Converter:
         at, which = (_NONE, _NONE) if attitudes is None else _of_same_time(time, offset, attitudes)
         variances = self._variances(fields, packet, "imu", "euler_angles", "roll", "pitch", "yaw")
         yield imu("/imu/data", at, () if attitudes is None else attitudes.q[which].T, variances)
-        if quaternion is not None:
+        if quaternion is not None:  # that of the sensor on devices whose mounting does not rotate it (docs/robots.md)
             quaternion = quaternion.within(packet)
             at = np.searchsorted(packet, quaternion.packet)
             yield imu("/imu/complementary_filter", at, quaternion.values("q"), _each(packet, _ZERO))
