@@ -6457,7 +6457,7 @@ types:
         doc: "Assumption about the angular rate. Default: `none_value`."
   filter_initialization_config:
     -orig-id: filter.initialization_config
-    doc: "Navigation filter initialization. Sets the sources and values of the initial attitude, position and velocity of the filter. The initial angles are in degrees, unlike those of `filter_set_initial_attitude`, which are in radians. Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds."
+    doc: "Navigation filter initialization. Sets the sources and values of the initial attitude, position and velocity of the filter. The initial angles are in degrees, unlike those of `filter_set_initial_attitude`, which are in radians. Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds. A change takes effect at the next start of the filter: after `filter_reset` or a power cycle."
     seq:
       - id: function_value
         -orig-id: function
@@ -7644,7 +7644,7 @@ types:
         doc: Valid axes.
   aiding_llh_position:
     -orig-id: aiding.llh_position
-    doc: "LLH position. Sends a measured position as latitude, longitude and height. Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
+    doc: "LLH position. Sends a measured position as latitude, longitude and height. Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude. An uncertainty of 0 is no substitute. In mode `response` of `aiding_echo_control`, the device sends the data back in a response of unknown layout."
     seq:
       - id: time
         type: aiding_measurement_time

@@ -2384,7 +2384,7 @@ field({ descriptor = 0x51, name = "filter.kinematic_constraint", role = "command
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "angular_constraint", type = "u8", size = 1, enum = E["filter.angular_constraint"], doc = "Assumption about the angular rate. Default: none." }, } },
     } }, { { set = 0x0D, name = "filter.kinematic_constraint", title = "Kinematic constraint" }, })
 field({ descriptor = 0x52, name = "filter.initialization_config", role = "command", title = "Navigation filter initialization",
-    doc = "Sets the sources and values of the initial attitude, position and velocity of the filter. The initial angles are in degrees, unlike those of filter.set_initial_attitude, which are in radians. Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds.", least = 1,
+    doc = "Sets the sources and values of the initial attitude, position and velocity of the filter. The initial angles are in degrees, unlike those of filter.set_initial_attitude, which are in radians. Single precision resolves the latitude and longitude of the initial position to about a metre only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment needs a heading at least every 5 seconds. A change takes effect at the next start of the filter: after filter.reset or a power cycle.", least = 1,
     required = { [1] = 9, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -3077,7 +3077,7 @@ field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", titl
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
     } }, { { set = 0x13, name = "aiding.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title = "LLH position",
-    doc = "Sends a measured position as latitude, longitude and height. Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 49,
+    doc = "Sends a measured position as latitude, longitude and height. Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of latitude and longitude. An uncertainty of 0 is no substitute. In mode `response` of aiding.echo_control, the device sends the data back in a response of unknown layout.", least = 49,
     always = 7,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },

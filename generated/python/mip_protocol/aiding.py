@@ -723,9 +723,8 @@ class LlhPosition(Command[None]):
     `AidingEchoMode.SUPPRESS_ACK`. Confirmed on 3DM-CV7-GNSS/INS; likely or assumed on 3 more.
 
     Use only one form of position: ECEF or LLH. To send a height only, clear the valid flags of
-    latitude and longitude. The 3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
-    In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
-    layout.
+    latitude and longitude. An uncertainty of 0 is no substitute. In mode `response` of
+    `EchoControl`, the device sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position

@@ -6181,7 +6181,8 @@ class InitializationConfig(Command[R]):
     The initial angles are in degrees, unlike those of `SetInitialAttitude`, which are in radians.
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
-    needs a heading at least every 5 seconds.
+    needs a heading at least every 5 seconds. A change takes effect at the next start of the filter:
+    after `Reset` or a power cycle.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """

@@ -452,8 +452,8 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
  *
  * Use only one form of position: ECEF or LLH.
  *
- * To send a height only, clear the valid flags of latitude and longitude. The 3DM-CV7-GNSS/INS also
- * accepts an uncertainty of 0 for both instead.
+ * To send a height only, clear the valid flags of latitude and longitude. An uncertainty of 0 is no
+ * substitute.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.

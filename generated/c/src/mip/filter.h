@@ -3425,6 +3425,8 @@ static inline struct mip_filter_kinematic_constraint *mip_filter_kinematic_const
  *
  * External alignment needs a heading at least every 5 seconds.
  *
+ * A change takes effect at the next start of the filter: after mip_filter_reset or a power cycle.
+ *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config {

@@ -464,8 +464,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS); likely or assumed on 3 more.
     ///
     /// - Use only one form of position: ECEF or LLH.
-    /// - To send a height only, clear the valid flags of latitude and longitude. The
-    ///   3DM-CV7-GNSS/INS also accepts an uncertainty of 0 for both instead.
+    /// - To send a height only, clear the valid flags of latitude and longitude. An uncertainty of
+    ///   0 is no substitute.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///

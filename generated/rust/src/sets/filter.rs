@@ -3637,6 +3637,7 @@ record! {
     ///   metre only.
     /// - Kinematic alignment sets the heading once the speed reaches 2 m/s.
     /// - External alignment needs a heading at least every 5 seconds.
+    /// - A change takes effect at the next start of the filter: after [`Reset`] or a power cycle.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Copy)]
