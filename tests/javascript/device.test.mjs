@@ -363,8 +363,26 @@ test("a stream gets the first timestamp that the device accepts", async () => {
     }
     const { device } = await opened(accepting(0x05));
     await device.stream(rates, { timestamp: false });
-    assert.deepEqual(formats, ["018002050014040003"]);
+    assert.deepEqual(formats.splice(0), ["018002050014040003"]);
+    for (const clock of ["gsp", "", null]) await assert.rejects(device.stream(rates, { timestamp: clock }), { kind: "timestamp" });
+    assert.deepEqual(formats, []); // nothing was changed
+    const message = /^timestamp "gps": 3dm\.message_format rejected/;
+    await assert.rejects(device.stream(rates, { timestamp: "gps" }), { kind: "refused", message });
+    assert.deepEqual(
+        formats.splice(0).map((one) => one.slice(6, 8)),
+        ["12", "d3"],
+    ); // but none without a timestamp
     await device.close();
+    for (const clock of ["gps", "device"]) {
+        const { device } = await opened(accepting(0xd3));
+        await device.stream(rates, { timestamp: clock });
+        await assert.rejects(device.stream([...rates, [SensorTime, 1]], { timestamp: clock }), { message: /^3dm/ }); // it has one
+        assert.deepEqual(
+            formats.splice(0).map((one) => one.slice(4, 8)),
+            ["0312", "03d3", "0305"],
+        );
+        await device.close();
+    }
 });
 
 test("the times of a device are those of its model, once that is known", async () => {

@@ -1,6 +1,6 @@
 // The MIP protocol in JavaScript: what every program uses. Fields are in modules of their own, one for each set.
 
-import type { Identity } from "../session.mjs";
+import type { ClockName, Identity } from "../session.mjs";
 
 /** Bytes that functions accept. */
 export type Bytes = Uint8Array | ArrayBuffer;
@@ -11,7 +11,7 @@ export declare class MipError extends Error {
     /**
      * The error in one word. For data: "truncated", "count", "constant"; for values: "missing", "range", "unknown", "tag",
      * "count", "length", "set"; for packets: "sync", "length", "checksum", "field_length"; for a device: "refused",
-     * "timeout", "missing_response", "closed", "no_device", "rate", "session".
+     * "timeout", "missing_response", "closed", "no_device", "rate", "timestamp", "session".
      */
     readonly kind: string;
     /** The command, for "refused" and "timeout". */
@@ -395,18 +395,19 @@ export declare class Device implements AsyncIterable<Packet> {
     identify(): Promise<Identity>;
     /**
      * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
-     * supports. Replaces the set's message format, enables its stream and resumes. Returns the rates. Adds the first timestamp that the
-     * device accepts, as often as the most frequent field, unless `rates` has one.
+     * supports. Replaces the set's message format, enables its stream and
+     * resumes. Returns the rates. Adds the first timestamp that the device accepts, as often as the most frequent field, unless
+     * `rates` has one.
      *
      * Throws a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
-     * "set" if the fields have no set in common; and the errors of `request`.
+     * "set" if the fields have no set in common; "timestamp" if the set has no such clock; and the errors of `request`.
      *
      * @param options.set the descriptor set, if the fields occur in several
-     * @param options.timestamp false to add no timestamp
+     * @param options.timestamp the clock of the timestamp, if it must be a certain one; false to add no timestamp
      */
     stream(
         rates: Iterable<readonly [FieldClass<Data>, number]>,
-        options?: { set?: number; timestamp?: boolean },
+        options?: { set?: number; timestamp?: boolean | ClockName },
     ): Promise<Map<FieldClass<Data>, number>>;
     /** Yields data packets as they arrive, until the device is closed; throws "closed" when the port is lost. */
     [Symbol.asyncIterator](): AsyncGenerator<Packet, void, undefined>;

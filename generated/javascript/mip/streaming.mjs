@@ -6,12 +6,14 @@ const LARGEST = 0xffff; // decimation
 
 /**
  * @param rates a Map: class of a field -> Hz, 0 for the highest rate
- * @param timestamp false for none
+ * @param timestamp false for none, or the name of its clock
  * @param identified false to ask the device which model it is
  */
 export async function stream(device, session, rates, { set, timestamp = true }, identified) {
-    if (!session) throw new MipError("session", "this package's specification has no commands for it");
     const number = setOf(rates, set);
+    // Fields that all sets share come first, because each packet of a long message repeats them.
+    const kinds = [...rates.keys()].sort((a, b) => Array.isArray(a.SETS) - Array.isArray(b.SETS));
+    const stamps = timestamps(session, number, kinds, timestamp);
     // The device learns from the answer; without one, flags are read as those of no known model.
     if (!identified) await device.exchange([session.identify()]);
     const { base, older } = await baseRate(device, session, number);
@@ -23,17 +25,17 @@ export async function stream(device, session, rates, { set, timestamp = true }, 
         const words = missing.map(([kind, rate]) => `${kind.NAME} at ${rate} Hz (nearest: ${nearest.get(kind)} Hz)`);
         throw new MipError("rate", `the base rate is ${base} Hz; not possible: ${words.join(", ")}`, { base, nearest });
     }
-    // Fields that all sets share come first, because each packet of a long message repeats them.
-    const kinds = [...decimations.keys()].sort((a, b) => Array.isArray(a.SETS) - Array.isArray(b.SETS));
     const items = kinds.map((kind) => session.item(kind.DESCRIPTOR, decimations.get(kind)));
-    const fastest = Math.min(...decimations.values());
-    for (const stamp of [...(timestamp ? timestamps(session, number, kinds) : []), undefined]) {
-        const all = stamp ? [session.item(stamp, fastest), ...items] : items;
+    for (;;) {
+        const stamp = stamps.shift();
+        const all = stamp ? [session.item(stamp, Math.min(...decimations.values())), ...items] : items;
         try {
             await device.request(older ? older.format(all) : session.format(number, all));
             break;
         } catch (error) {
-            if (error.kind !== "refused" || !stamp) throw error; // the next one, or none
+            if (error.kind === "refused" && stamps.length) continue;
+            if (stamp && !stamps.length) error.message = `timestamp "${timestamp}": ${error.message}`;
+            throw error;
         }
     }
     await device.request(session.stream(older ? older.stream : number));
@@ -41,10 +43,17 @@ export async function stream(device, session, rates, { set, timestamp = true }, 
     return nearest;
 }
 
-/** Returns the descriptors of the timestamps to try for a set; none if there is one, or nothing to send. */
-function timestamps(session, set, kinds) {
-    const found = session.timestamps.flatMap(([own, stamp]) => (own === 0 || own === set ? [stamp] : []));
-    return kinds.length === 0 || kinds.some((kind) => found.includes(kind.DESCRIPTOR)) ? [] : found;
+/** Returns the descriptors of the timestamps to try for a set; undefined is none, the last one unless a clock is named. */
+function timestamps(session, set, kinds, clock) {
+    const any = typeof clock === "boolean";
+    const own = session.timestamps.filter(([, , ...sets]) => !sets.length || sets.includes(set));
+    const found = own.flatMap(([stamp, clocks]) => (any || clocks.includes(clock) ? stamp : []));
+    if (!any && !found.length) {
+        const known = [...new Set(own.flatMap(([, clocks]) => clocks))].join(", ");
+        throw new MipError("timestamp", `no clock "${clock}" in set ${set}: ${known}`);
+    }
+    if (!clock || !kinds.length || kinds.some((kind) => found.includes(kind.DESCRIPTOR))) return [undefined];
+    return any ? [...found, undefined] : found;
 }
 
 /** Reads the base rate of a set in Hz; also returns the commands of older devices if this is one. */

@@ -183,13 +183,12 @@ export class Device {
 
     /** Sets the device to idle and identifies it. */
     async identify() {
-        if (!session) throw new MipError("session", "this package's specification has no commands for it");
-        await this.request(session.idle());
+        await this.request(commands().idle());
         return this.request(session.identify());
     }
 
-    stream(rates, options = {}) {
-        return stream(this, session, new Map(rates), options, this.#identified);
+    async stream(rates, options = {}) {
+        return stream(this, commands(), new Map(rates), options, this.#identified);
     }
 
     // ------------------------------------------------------------------------------------------------ data
@@ -346,6 +345,11 @@ export class Device {
             else reject(new MipError("closed", message, { cause }));
         }
     }
+}
+
+function commands() {
+    if (!session) throw new MipError("session", "this package's specification has no commands for it");
+    return session;
 }
 
 /** Returns the device's response, or throws the error that explains its absence. */

@@ -29,7 +29,7 @@ export async function commands(device: Device): Promise<string> {
         [ScaledAccel, 100],
         [ScaledGyro, 100],
     ]);
-    await device.stream(new Map([[EulerAngles, 10]]), { set: 0x82 });
+    await device.stream(new Map([[EulerAngles, 10]]), { set: 0x82, timestamp: "gps" });
     await device.send(CommSpeed.save({ port: 1 }), MessageFormat.read({ descriptorSet: 0x80 }));
     return [info.deviceInfo.modelName, PpsSource.nameOf(setting.source), nothing, ping, speed.baud, rates.get(ScaledAccel)].join();
 }

@@ -38,6 +38,8 @@ packet.find(ScaledAccel).scaledAccel;
 device.stream([[Ping, 1]]);
 // @ts-expect-error a rate is a number
 device.stream([[ScaledAccel, "100"]]);
+// @ts-expect-error a clock that no timestamp has
+device.stream([[ScaledAccel, 100]], { timestamp: "gsp" });
 // @ts-expect-error bytes are not text
 fromHex(Uint8Array.of(1));
 // @ts-expect-error only the device answers

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 from mipgen.lower import session as lower
+from mipgen.lower import validity
 
 from . import names
 
@@ -42,7 +43,11 @@ class Session:
     item: tuple[str, str]
     stream: str
     older: tuple[Older, ...]
-    timestamps: tuple[tuple[int, int], ...]  # set, 0 for all, and descriptor
+    timestamps: tuple[tuple[int, tuple[str, ...], tuple[int, ...]], ...]  # descriptor, names of clocks, sets; none: all
+
+    @property
+    def clocks(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(name for _, names, _ in self.timestamps for name in names))
 
 
 def session_commands(model: m.Model) -> Session | None:
@@ -53,6 +58,8 @@ def session_commands(model: m.Model) -> Session | None:
     used = [*start.commands, *start.descriptors, *(f for x in start.older for f in (x.base_rate.command, x.format))]
     modules = {names.namespace(f.family): names.module(f.family) for f in used}
     (identity,) = model.responses(start.identify)
+    known = {t.field: t for t in validity.timestamps(model)}
+    stamps = [known[f] for f in dict.fromkeys(f for _, f in start.timestamps)]
     item = start.entries.item.struct
     assert item is not None
     descriptor, decimation = (names.member(p.name) for p in item.parameters)
@@ -71,7 +78,9 @@ def session_commands(model: m.Model) -> Session | None:
         item=(descriptor, decimation),
         stream=_call(start.stream, "set", "true"),
         older=tuple(Older(x.set, _rate(x.base_rate), _call(x.format, "items"), x.stream) for x in start.older),
-        timestamps=tuple((number, f.descriptor) for number, f in start.timestamps),
+        timestamps=tuple(
+            (t.field.descriptor, tuple(c.name for c in t.clocks), () if t.field.everywhere else t.sets) for t in stamps
+        ),
     )
 
 
