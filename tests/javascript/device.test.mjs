@@ -385,6 +385,22 @@ test("a stream gets the first timestamp that the device accepts", async () => {
     }
 });
 
+test("a new message format discards what waits in the old one", async () => {
+    const bytes = [];
+    const { device, port } = await opened(rating(), { onBytes: (piece) => bytes.push(piece) });
+    const other = new GpsTimestamp({ tow: 1, weekNumber: 2, validFlags: 3 }).packet(0x82).bytes;
+    for (const one of [DATA, other, DATA]) port.arrive(one);
+    await device.request(new Ping());
+    assert.equal(device.waiting, 3);
+    await assert.rejects(device.stream([[ScaledAccel, 30]]), { kind: "rate" });
+    assert.equal(device.waiting, 3); // nothing was changed
+    await device.stream([[ScaledAccel, 50]]);
+    port.arrive(DATA);
+    assert.deepEqual([(await device.next()).set, (await device.next()).set, device.waiting], [0x82, 0x80, 0]);
+    assert.equal(toHex(joined(bytes)).split(toHex(DATA)).length, 4);
+    await device.close();
+});
+
 test("the times of a device are those of its model, once that is known", async () => {
     const responses = { 3: informed("3DM-GX5-25      ", "6253-4220") };
     const { device, port } = await opened(rejecting(responses, []));

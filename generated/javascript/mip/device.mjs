@@ -188,7 +188,9 @@ export class Device {
     }
 
     async stream(rates, options = {}) {
-        return stream(this, commands(), new Map(rates), options, this.#identified);
+        return stream(this, commands(), new Map(rates), options, this.#identified, (set) => {
+            this.#packets = this.#packets.filter((packet) => packet.set !== set);
+        });
     }
 
     // ------------------------------------------------------------------------------------------------ data

@@ -395,7 +395,7 @@ export declare class Device implements AsyncIterable<Packet> {
     identify(): Promise<Identity>;
     /**
      * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
-     * supports. Replaces the set's message format, enables its stream and
+     * supports. Replaces the set's message format, discards its packets that have not been read yet, enables its stream and
      * resumes. Returns the rates. Adds the first timestamp that the device accepts, as often as the most frequent field, unless
      * `rates` has one.
      *

@@ -8,8 +8,9 @@ const LARGEST = 0xffff; // decimation
  * @param rates a Map: class of a field -> Hz, 0 for the highest rate
  * @param timestamp false for none, or the name of its clock
  * @param identified false to ask the device which model it is
+ * @param discard called with the set whose message format has changed
  */
-export async function stream(device, session, rates, { set, timestamp = true }, identified) {
+export async function stream(device, session, rates, { set, timestamp = true }, identified, discard) {
     const number = setOf(rates, set);
     // Fields that all sets share come first, because each packet of a long message repeats them.
     const kinds = [...rates.keys()].sort((a, b) => Array.isArray(a.SETS) - Array.isArray(b.SETS));
@@ -38,6 +39,7 @@ export async function stream(device, session, rates, { set, timestamp = true }, 
             throw error;
         }
     }
+    discard(number); // those that arrived earlier have another format
     await device.request(session.stream(older ? older.stream : number));
     await device.request(session.resume());
     return nearest;
