@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 from collections.abc import Iterable
 from pathlib import Path
@@ -107,6 +108,51 @@ def test_a_program_talks_to_a_device(device: str, tmp_path: Path) -> None:
     angles = rest[len(refused) :]
     assert len(angles) == 10
     assert all(re.fullmatch(r"(-?\d+\.\d{3} ?){3}", line) for line in angles)
+
+
+@heavy("a virtual device for JavaScript")
+def test_the_snippets_of_the_readme_run_in_a_copy_of_the_package(tmp_path: Path) -> None:
+    """With the paths that it states, instead of an installed package."""
+    readme = (GENERATED / "README.md").read_text("utf-8")
+    shutil.copytree(GENERATED, tmp_path / "mip-protocol")
+    stated = re.findall(r"`\./(mip-protocol/[\w/]+\.mjs)`", readme)
+    assert len(stated) == 3 and all((tmp_path / path).is_file() for path in stated)
+    blocks = re.findall(r"^```javascript\n(.*?)^```", readme, re.M | re.S)
+    marks = ("rejections(", "ComplementaryFilter", "?? packet")
+    explain, change, time = (next(b for b in blocks if mark in b) for mark in marks)
+    main = f"""
+        import {{ ComplementaryFilter }} from "./mip-protocol/3dm.mjs";
+        import {{ LlhPosition }} from "./mip-protocol/gnss_data.mjs";
+        import {{ ScaledAccel }} from "./mip-protocol/sensor.mjs";
+        import {{ openTcp }} from "./mip-protocol/mip/tcp.mjs";
+        import {{ Clock }} from "./mip-protocol/time.mjs";
+        const [host, port, older] = process.argv.slice(2);
+        {explain}
+        if (older) {{
+            {change}
+            const {{ pitchRollTimeConstant, headingTimeConstant }} = await device.request(ComplementaryFilter.read());
+            console.log(pitchRollTimeConstant, headingTimeConstant === setting.headingTimeConstant);
+        }}
+        for (const timestamp of [true, "gps"]) {{
+            await device.stream([[ScaledAccel, 10]], {{ timestamp }});
+            const packet = await device.next();
+            {time}
+            console.log(typeof time, packet.time(Clock.GPS) === undefined, packet.time(Clock.REFERENCE) === undefined);
+        }}
+        await device.stream([[LlhPosition, 1]], {{ set: 0x81 }}).catch((error) => console.log(error.message));
+        await device.close();
+    """
+    for name in ("model", "rejected"):
+        main = main.replace(f'"mip-protocol/{name}"', f'"./mip-protocol/{"mip/" * (name == "rejected")}{name}.mjs"')
+    (tmp_path / "main.mjs").write_text(main, "utf-8")
+    for name, more, wanted in (
+        ("3dm-gx5-15", ["older"], ["7 true", "bigint false true", "bigint false true"]),
+        ("3dm-cv7-ar", [], ["bigint true false", "bigint false true"]),
+    ):
+        with simulated("--tcp", "0", device=name) as place:
+            said = node(tmp_path / "main.mjs", *place.rsplit(":", 1), *more).splitlines()
+        assert said[:-1] == wanted
+        assert "GNSS" in said[-1].partition("rejected")[2], said
 
 
 def test_a_program_reads_a_log(tmp_path: Path) -> None:

@@ -52,7 +52,7 @@ PAGES = (".github", "docs", "examples", "runtime", "spec", "templates", "tools")
 TOP = (*PAGES, "generated", "generator", "tests")
 #: Files of the reader, or of what is built or installed: they are not in the project.
 ELSEWHERE = re.compile(
-    r"(my[-_]\w+|build|external)[/.].*|types/common\.yaml|(spec/devices/MODEL|MODEL-FIRMWARE)\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness)\.yaml"
+    r"(my[-_]\w+|build|external)[/.].*|types/common\.yaml|(spec/devices/MODEL|MODEL-FIRMWARE)\.yaml|assets/tools\.css|(std\w+|time)\.h|(models|witness)\.yaml|\./mip-protocol/.*"
 )
 
 
