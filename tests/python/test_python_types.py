@@ -42,7 +42,7 @@ ANSWERS = """\
 from typing_extensions import assert_type
 import dataclasses
 import mip_protocol
-from mip_protocol import Arrival, Command, Data, Device, Response, aio, base, gnss_data, mip_3dm, sensor
+from mip_protocol import Arrival, Command, Data, Device, Response, aio, base, change, gnss_data, mip_3dm, sensor
 from mip_protocol.base import GpsTimeUpdateTowResponse, GpsTimeUpdateWeekNumberResponse
 
 def requests(device: Device, some: Command, kind: base.GpsTimeUpdate) -> None:
@@ -70,8 +70,11 @@ def requests(device: Device, some: Command, kind: base.GpsTimeUpdate) -> None:
     for stamp, accel in device.fields(sensor.ScaledAccel):
         assert_type(stamp.device, float)
         assert_type(accel, sensor.ScaledAccel)
-    for _, field in device.fields(sensor.ScaledAccel, sensor.ScaledGyro):
+    for _, field in device.fields(sensor.ScaledAccel, sensor.ScaledGyro, timeout=5):
         assert_type(field, sensor.ScaledAccel | sensor.ScaledGyro)
+    changed = change(device.request(base.CommSpeed.read(1)), baud=460800)
+    assert_type(device.request(changed), Response | None)
+    change(changed, baud=460800)  # no response
     kinds: list[type[Data]] = [sensor.ScaledAccel, sensor.ScaledGyro]
     for _, any_field in device.fields(*kinds):
         assert_type(any_field, Data)

@@ -25,7 +25,7 @@ from .exceptions import (
     Truncated,
     UnknownName,
 )
-from .field import Command, Data, Field, Response
+from .field import Command, Data, Field, Response, change
 from .packet import Packet, PacketBuilder, RawField, Undecoded, checksum
 from .parser import Parser
 from .protocol import VERSION, AckCode, Acknowledge, FunctionSelector
@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from .conversation import Arrival, Stamp
     from .decoder import Decoder
     from .device import Device, open_port
-    from .errors import NoAnswer, NoSuchRate, Refused
+    from .errors import NoAnswer, NoData, NoSuchRate, Refused
     from .sampling import Samples, samples
 
 __version__ = VERSION
@@ -68,7 +68,7 @@ _HOMES = {
     "conversation": "Arrival Stamp",
     "decoder": "Decoder",
     "device": "Device open_port",
-    "errors": "NoAnswer NoSuchRate Refused",
+    "errors": "NoAnswer NoData NoSuchRate Refused",
     "sampling": "Samples samples",
 }
 _LAZY = {name: home for home, names in _HOMES.items() for name in names.split()}
@@ -95,9 +95,9 @@ def __dir__() -> list[str]:
 __all__ = [
     "AckCode", "Acknowledge", "Answer", "Arrival", "Client", "Command", "Data", "DecodeError",
     "Decoder", "Device", "EncodeError", "Field", "FunctionSelector", "MipError", "MissingExtra",
-    "MissingResponse", "NoAnswer", "NoDevice", "NoSuchRate", "Outcome", "Packet", "PacketBuilder", "PacketError",
-    "Parser", "PortClosed", "PortError", "RawField", "Received", "Refused", "Response",
-    "Skipped", "Stamp", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "open_port",
+    "MissingResponse", "NoAnswer", "NoData", "NoDevice", "NoSuchRate", "Outcome", "Packet", "PacketBuilder",
+    "PacketError", "Parser", "PortClosed", "PortError", "RawField", "Received", "Refused", "Response",
+    "Skipped", "Stamp", "TimedOut", "Truncated", "Undecoded", "UnknownName", "change", "checksum", "open_port",
     "detect_baud",
     "Samples", "samples",
 ]

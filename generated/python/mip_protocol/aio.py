@@ -51,7 +51,7 @@ from .device import (
     deadline_of,
     lost,
 )
-from .errors import Cause
+from .errors import Cause, NoData
 from .exceptions import MipError, PortClosed
 from .field import Command, Field, R, Response
 from .port import (
@@ -325,7 +325,8 @@ class Device(AtPort):
         timestamp: str | None = "auto",
     ) -> dict[type[Field], float]:
         """Like `device.Device.stream`."""
-        dialog = steps(session(), dict(rates.items()), set, timestamp, self._talk.identified)
+        known = self._talk.identified
+        dialog = steps(session(), dict(rates.items()), set, timestamp, known, self.clear)
         return await self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates
@@ -385,30 +386,42 @@ class Device(AtPort):
         return arrivals.popleft()
 
     @overload
-    def fields(self, a: type[F1], /) -> AsyncIterator[tuple[Stamp, F1]]: ...
-    @overload
-    def fields(self, a: type[F1], b: type[F2], /) -> AsyncIterator[tuple[Stamp, F1 | F2]]: ...
+    def fields(
+        self, a: type[F1], /, *, timeout: float | None = None
+    ) -> AsyncIterator[tuple[Stamp, F1]]: ...
     @overload
     def fields(
-        self, a: type[F1], b: type[F2], c: type[F3], /
+        self, a: type[F1], b: type[F2], /, *, timeout: float | None = None
+    ) -> AsyncIterator[tuple[Stamp, F1 | F2]]: ...
+    @overload
+    def fields(
+        self, a: type[F1], b: type[F2], c: type[F3], /, *, timeout: float | None = None
     ) -> AsyncIterator[tuple[Stamp, F1 | F2 | F3]]: ...
     @overload
     def fields(
-        self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /
+        self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /, *, timeout: float | None = None
     ) -> AsyncIterator[tuple[Stamp, F1 | F2 | F3 | F4]]: ...
     @overload
-    def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[Stamp, F]]: ...
-    async def fields(self, *kinds: type[Any]) -> AsyncIterator[tuple[Stamp, Any]]:
+    def fields(
+        self, *kinds: type[F], timeout: float | None = None
+    ) -> AsyncIterator[tuple[Stamp, F]]: ...
+    async def fields(
+        self, *kinds: type[Any], timeout: float | None = None
+    ) -> AsyncIterator[tuple[Stamp, Any]]:
         """Like `device.Device.fields`."""
-        async for arrival in self:
+        deadline = deadline_of(timeout)
+        while (arrival := await self._next(deadline)) is not None:
             stamp = arrival.stamp()
             for kind in kinds:
                 for field in arrival.find_all(kind):
                     yield stamp, field
+                    deadline = deadline_of(timeout)
+        if timeout is not None and not self._closed:
+            raise NoData(kinds, timeout)
 
-    def clear(self) -> None:
-        """Discards the data that has not been read yet, without counting it as dropped."""
-        self._talk.arrivals.clear()
+    def clear(self, set: int | None = None) -> None:
+        """Like `device.Device.clear`."""
+        self._talk.clear(set)
 
     # ----------------------------------------------------------------- received bytes
 

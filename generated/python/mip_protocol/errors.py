@@ -25,12 +25,14 @@ from .types import AckCode
 
 @dataclass(frozen=True)
 class Cause:
-    """The field for which a device has rejected a command, or the command that it has instead."""
+    """The field for which a device has rejected a command, or the command that it has instead; the
+    command itself if a value is out of range."""
 
     index: int  # in the list of the command
     set: int
     descriptor: int  # 0: the whole set
-    reason: str  # "other_command", "absent", "decimation", "too_many", "undefined" or "unlisted"
+    #: "other_command", "absent", "decimation", "too_many", "range", "undefined" or "unlisted"
+    reason: str
     text: str  # "3DM-CV7-AR has no GNSS receiver"
 
 
@@ -38,8 +40,8 @@ class Refused(MipError):
     """The device has rejected a command; `code` is the reason.
 
     `outcomes`: the outcome of each command in the same packet, as `Device.exchange` returns them.
-    `cause`: the field for which the device has rejected a command that lists fields, or the command
-    that it has instead, if that is found.
+    `cause`: the field for which the device has rejected a command that lists fields, the command
+    that it has instead, or the value that is out of its documented range, if that is found.
     """
 
     def __init__(
@@ -71,6 +73,19 @@ class NoAnswer(MipError, TimeoutError):
         self.outcomes = tuple(outcomes)
 
 
+class NoData(MipError, TimeoutError):
+    """None of the fields for which a program waits has arrived in time."""
+
+    def __init__(self, kinds: Sequence[type[Field]], timeout: float) -> None:
+        names = ", ".join(kind.NAME for kind in kinds)
+        hint = "`stream` starts data, and a device that is idle must resume"
+        super().__init__("no_data", f"no {names} within {timeout:g} s; {hint}")
+        self.args = (kinds, timeout)
+
+    def __str__(self) -> str:
+        return self.detail
+
+
 class NoSuchRate(MipError):
     """Rates that a device does not support, because it divides its base rate by whole numbers;
     nothing was changed. `nearest`: each requested field -> the nearest rate, in Hz."""
@@ -92,6 +107,7 @@ __all__ = [
     "MissingExtra",
     "MissingResponse",
     "NoAnswer",
+    "NoData",
     "NoDevice",
     "NoSuchRate",
     "PacketError",

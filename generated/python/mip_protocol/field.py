@@ -353,6 +353,23 @@ class Data(Field):
     ROLE = "data"
 
 
+def change(response: Response, /, **values: Any) -> Command:
+    """Makes the command that writes the setting in a response, with some values changed:
+    `device.request(change(response, baud=460800))`.
+
+    Raises TypeError if it has no such value, if the response lacks one that is not in `values`,
+    or if it is not that of one command that can write; and EncodeError for wrong values.
+    """
+    from inspect import signature
+
+    writes: list[Any] = [x for kind in response.COMMANDS if (x := getattr(kind, "write", None))]
+    if len(writes) != 1:
+        raise TypeError(f"{response.NAME} is not the setting of one command that can be written")
+    names = [name for name in signature(writes[0]).parameters if name in response._MEMBERS]
+    made: Command = writes[0](**({name: getattr(response, name) for name in names} | values))
+    return made
+
+
 def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
     """Chooses the type whose layout fits a field's data, if the descriptor has several."""
     if len(types) == 1:

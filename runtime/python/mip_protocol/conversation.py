@@ -43,7 +43,7 @@ class Stamp:
 
     device: float
     """The time in its packet, which `Arrival.device_time` has in nanoseconds; NaN if there is
-    none."""
+    none: some devices, such as the 3DM-GX3-25, send no timestamps."""
     clock: str
     """The clock of this time: "gps" counts in UTC since 1970, others from their start; "" if there
     is no time."""
@@ -247,6 +247,12 @@ class Conversation:
             self._settings[key] = command
         elif function not in ("READ", "SAVE"):
             self._settings.clear()  # it may have loaded others, or restarted
+
+    def clear(self, set: int | None) -> None:
+        """Discards the data of one set, or all data, that has not been read yet."""
+        kept = [a for a in self.arrivals if set not in (None, a.packet.set)]
+        self.arrivals.clear()
+        self.arrivals.extend(kept)
 
     # ------------------------------------------------------------- received bytes
 

@@ -35,7 +35,7 @@ from .conversation import (
     Ticket,
     responses,
 )
-from .errors import Cause
+from .errors import Cause, NoData
 from .exceptions import MipError, PortClosed
 from .field import Command, Field, R, Response
 from .port import USUAL, Reader, as_port, open_url, warn_unclosed, weakly
@@ -323,12 +323,15 @@ class Device(AtPort):
 
         `set`: the descriptor set, if the fields occur in several. `timestamp`: the clock of the
         timestamp that is added, unless `rates` has one; "auto" for the first that the device
-        accepts, None for none. Returns the rates, also that of the timestamp. Raises
+        accepts, if any, None for none. Packets of the set that still wait in the old format are
+        discarded. Returns the rates, also that of the timestamp. Raises
         NoSuchRate, before anything is changed, if a rate is not the base rate divided by a whole
-        number; ValueError and EncodeError if the fields have no set in common; and whatever
-        `request` raises.
+        number; Refused, too, if the device has no timestamp of the clock that `timestamp` names;
+        ValueError and EncodeError if the fields have no set in common; and whatever `request`
+        raises.
         """
-        dialog = steps(session(), dict(rates.items()), set, timestamp, self._talk.identified)
+        known = self._talk.identified
+        dialog = steps(session(), dict(rates.items()), set, timestamp, known, self.clear)
         return self._follow(with_cause(dialog, self._target))
 
     # needs: baud rates
@@ -399,36 +402,57 @@ class Device(AtPort):
             return arrivals.popleft()
 
     @overload
-    def fields(self, a: type[F1], /) -> Iterator[tuple[Stamp, F1]]: ...
-    @overload
-    def fields(self, a: type[F1], b: type[F2], /) -> Iterator[tuple[Stamp, F1 | F2]]: ...
+    def fields(
+        self, a: type[F1], /, *, timeout: float | None = None
+    ) -> Iterator[tuple[Stamp, F1]]: ...
     @overload
     def fields(
-        self, a: type[F1], b: type[F2], c: type[F3], /
+        self, a: type[F1], b: type[F2], /, *, timeout: float | None = None
+    ) -> Iterator[tuple[Stamp, F1 | F2]]: ...
+    @overload
+    def fields(
+        self, a: type[F1], b: type[F2], c: type[F3], /, *, timeout: float | None = None
     ) -> Iterator[tuple[Stamp, F1 | F2 | F3]]: ...
     @overload
     def fields(
-        self, a: type[F1], b: type[F2], c: type[F3], d: type[F4], /
+        self,
+        a: type[F1],
+        b: type[F2],
+        c: type[F3],
+        d: type[F4],
+        /,
+        *,
+        timeout: float | None = None,
     ) -> Iterator[tuple[Stamp, F1 | F2 | F3 | F4]]: ...
     @overload
-    def fields(self, *kinds: type[F]) -> Iterator[tuple[Stamp, F]]: ...
-    def fields(self, *kinds: type[Any]) -> Iterator[tuple[Stamp, Any]]:
+    def fields(
+        self, *kinds: type[F], timeout: float | None = None
+    ) -> Iterator[tuple[Stamp, F]]: ...
+    def fields(
+        self, *kinds: type[Any], timeout: float | None = None
+    ) -> Iterator[tuple[Stamp, Any]]:
         """Yields the fields of these types as they arrive, each with its time: `stamp.device` is
         that in its packet, by the device's `stamp.clock`, and `stamp.arrived` that of arrival.
 
         The fields of one packet are in the order of `kinds`, and several of one type in the order
-        of the packet. Raises DecodeError at a field that cannot be decoded.
+        of the packet. Raises DecodeError at a field that cannot be decoded, and NoData if none of
+        these fields arrives within `timeout` seconds: a device that is new or idle sends nothing.
         """
-        for arrival in self:
+        deadline = deadline_of(timeout)
+        while (arrival := self._next(deadline)) is not None:
             stamp = arrival.stamp()
             for kind in kinds:
                 for field in arrival.find_all(kind):
                     yield stamp, field
+                    deadline = deadline_of(timeout)
+        if timeout is not None and not self._closed:
+            raise NoData(kinds, timeout)
 
-    def clear(self) -> None:
-        """Discards the data that has not been read yet, without counting it as dropped."""
+    def clear(self, set: int | None = None) -> None:
+        """Discards the data that has not been read yet, of one descriptor set or of all, without
+        counting it as dropped."""
         with self._lock:
-            self._talk.arrivals.clear()
+            self._talk.clear(set)
 
     # ----------------------------------------------------------------- in the reading thread
 

@@ -4,9 +4,11 @@ specification's README."""
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import inf
 from typing import NamedTuple
 
+from ._clocks import TIMESTAMPS
 from ._index import information
 from ._lists import ALTERNATIVES, LISTS
 from ._session import session
@@ -17,6 +19,7 @@ from .exceptions import MipError
 from .field import Command, Response
 from .profile import Device, Support
 from .registry import types
+from .timestamps import clocks_of
 
 SHARED_SET = 0xFF
 
@@ -25,6 +28,7 @@ OTHER_COMMAND = "other_command"  # the device has another command for it
 ABSENT = "absent"  # the device does not send it
 DECIMATION = "decimation"  # its decimation is 0
 TOO_MANY = "too_many"  # the list is longer than permitted
+RANGE = "range"  # a value is out of its documented range
 UNDEFINED = "undefined"  # it is not data of the set
 UNLISTED = "unlisted"  # no source states that this model sends it
 
@@ -167,7 +171,44 @@ def with_cause(dialog: Dialog[T], target: ConnectedDevice) -> Dialog[T]:
         return (yield from dialog)
     except Refused as refused:
         why = yield from ask_and_find_cause(refused.command, target)
+        if why is not None and why.reason == ABSENT:
+            why = replace(why, text=why.text + _clocks(why, target))
+        # By name: a specification may have no such code.
+        elif why is None and refused.code.name == "INVALID_PARAMETER":
+            why = _out_of_range(refused.command)
         raise Refused(refused.command, refused.code, refused.outcomes, why) from None
+
+
+def _clocks(why: Cause, target: ConnectedDevice) -> str:
+    """Says which clocks the device has, if the field that it lacks is a timestamp."""
+    missing = clocks_of(why.set, why.descriptor)
+    if not missing:
+        return ""
+    sent = [d for s, d in TIMESTAMPS if s in (why.set, SHARED_SET) and target.sends(why.set, d)]
+    has = dict.fromkeys(clock for d in sent for clock in clocks_of(why.set, d))
+    return f" (clock: {' or '.join(missing)}); it has the clocks: {', '.join(has) or 'none'}"
+
+
+def _out_of_range(command: Command) -> Cause | None:
+    """Returns the first value that is out of its documented range, which is not known where it
+    depends on the device."""
+    for p in command.INFO.parameters:
+        limits = {x for v in p.variants if v.by == "device" for x in v.changes}
+        varies = limits & {"minimum", "maximum", "above", "below"}
+        if p.derived or varies or not (here := p.of(command)).range:
+            continue
+        low = max((x for x in (here.minimum, here.above) if x is not None), default=-inf)
+        high = min((x for x in (here.maximum, here.below) if x is not None), default=inf)
+        value = getattr(command, p.attribute)
+        for number in value if isinstance(value, tuple) else (value,):
+            # Limits are rounded as the values are: pi is rounded up.
+            if isinstance(number, (int, float)) and not (
+                low - abs(low) * 1e-6 <= number <= high + abs(high) * 1e-6
+                and number not in (here.above, here.below)
+            ):
+                text = f"{p.attribute} is {number:g}, its range is {here.range}"
+                return Cause(0, command.SET, command.DESCRIPTOR, RANGE, text)
+    return None
 
 
 def received(tickets: Sequence[Ticket]) -> Dialog[tuple[Response | None, ...]]:

@@ -48,9 +48,13 @@ def steps(
     set: int | None,
     timestamp: str | None,
     identified: bool = False,
+    clear: Callable[[int], object] = lambda _: None,
 ) -> Dialog[dict[type[Field], float]]:
     """Yields the commands that start data at these rates, with the first timestamp that the device
-    accepts; returns the rates of the device. First asks which model it is, unless it is known."""
+    accepts; returns the rates of the device. First asks which model it is, unless it is known.
+
+    `clear` discards the packets of a set that have arrived before its format was replaced.
+    """
     if session is None:
         raise NotImplementedError("this package's specification has no commands for streaming")
     number = set_of(rates, set)
@@ -77,7 +81,10 @@ def steps(
     if missing and base:
         raise NoSuchRate(base, missing, nearest)
     fastest = min(decimations.values(), default=1)
-    for stamp in (*_timestamps(session, number, rates, timestamp), None):
+    stamps: list[type[Field] | None] = [*_timestamps(session, number, rates, timestamp)]
+    if timestamp == "auto" or not stamps:  # a clock that the program names is not left out
+        stamps.append(None)
+    for stamp in stamps:
         wanted = {**decimations, **({stamp: fastest} if stamp else {})}
         # Fields that all sets share come first, because each packet of a long message repeats them.
         # The timestamp is that of what follows it.
@@ -89,8 +96,9 @@ def steps(
             nearest = {kind: base / by for kind, by in wanted.items()}
             break
         except Refused:
-            if stamp is None:
+            if stamp is stamps[-1]:
                 raise
+    clear(number)
     yield Step(session.stream(number if older is None else older.stream, True))
     yield Step(session.resume())
     return nearest
@@ -110,6 +118,8 @@ def _timestamps(
     known = [d for occurs, d in session.timestamps if occurs in (0, number)]
     wanted = [d for d in known if timestamp == "auto" or timestamp in clocks_of(number, d)]
     found = [types(number, d)[0] for d in wanted]
+    if not found and timestamp != "auto":
+        raise ValueError(f"the set 0x{number:02X} has no timestamp of the clock {timestamp!r}")
     return () if any(kind in rates for kind in found) else found
 
 

@@ -71,8 +71,8 @@ class Awaited:
     def __iter__(self) -> Iterator[Any]:
         return self._taken(self.device.__aiter__())
 
-    def fields(self, *kinds: Any) -> Iterator[Any]:
-        return self._taken(self.device.fields(*kinds))
+    def fields(self, *kinds: Any, **options: Any) -> Iterator[Any]:
+        return self._taken(self.device.fields(*kinds, **options))
 
     def _taken(self, source: Any) -> Iterator[Any]:
         while True:

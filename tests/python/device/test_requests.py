@@ -20,7 +20,7 @@ from mip_protocol import Parser, aiding, aio, base, gnss_data, mip_3dm, port, se
 from mip_protocol import device as sync
 from mip_simulator.device import VirtualDevice
 from mip_tools.sentences import Sentences
-from support import PATIENCE, ROOT
+from support import PATIENCE, ROOT, simulated
 
 INFO = packet(0x01, "f1 03 00", "81" + "20" * 82)
 
@@ -298,6 +298,45 @@ def test_all_fields_of_a_type_in_a_packet(kind: Kind, peer: Peer) -> None:
         assert [f.satellite_id for f in arrival.find_all(gnss_data.SatelliteStatus)] == [1, 2]
         assert arrival.find(gnss_data.SatelliteStatus).satellite_id == 1
         assert list(arrival.find_all(sensor.ScaledAccel)) == []
+
+
+def test_fields_that_do_not_arrive(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.send(DATA, satellites(1))
+        found = device.fields(sensor.ScaledAccel, timeout=0.05)
+        assert next(found)
+        with pytest.raises(TimeoutError, match=r"no sensor.scaled_accel within 0.05 s; `stream` starts data") as caught:
+            next(found)
+        assert isinstance(caught.value, mip.NoData)
+
+
+def test_settings_are_read_changed_and_written(kind: Kind) -> None:
+    """Settings with plain values, with a number that selects one, and with a union."""
+    trigger, gpio = mip_3dm.EventTriggerConfig.read(2), types.EventTriggerGpio
+    with simulated("--tcp", "0") as place, kind.open(place, timeout=PATIENCE) as device:
+        for read, values in (
+            (mip_3dm.ComplementaryFilter.read(), {"pitch_roll_time_constant": 5.0}),
+            (mip_3dm.MessageFormat.read(0x80), {"descriptors": [types.DescriptorRate(4, 10)]}),
+            (trigger, {"type": types.EventTriggerType.GPIO, "parameters": gpio(1, types.EventTriggerGpioMode(1))}),
+            (trigger, {"parameters": gpio(1, types.EventTriggerGpioMode(2))}),
+        ):
+            before = device.request(read)
+            device.request(mip.change(before, **values))
+            after = device.request(read)
+            assert after == before.__replace__(**values) != before
+        with pytest.raises(TypeError, match="unexpected keyword argument 'nothing'"):
+            mip.change(after, nothing=1)
+        with pytest.raises(TypeError, match="get_device_info_response is not the setting"):
+            mip.change(device.request(base.GetDeviceInfo()))
+
+
+def test_a_value_out_of_range_is_named(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.answering(*[acknowledge(0x0C, 0x51, 3)] * 2)
+        with pytest.raises(mip.Refused, match=r"r\): pitch_roll_time_constant is 1e\+09, its range is 1 to 1000$"):
+            device.request(mip_3dm.ComplementaryFilter.write(True, True, 1e9, 3))
+        with pytest.raises(mip.Refused, match=r"parameter\)$"):
+            device.request(mip_3dm.ComplementaryFilter.write(True, True, 1, 1000))
 
 
 def test_the_fields_before_one_that_cannot_be_decoded(kind: Kind, peer: Peer) -> None:

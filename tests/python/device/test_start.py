@@ -83,13 +83,11 @@ def test_the_time_of_fields(model: str, clocks: tuple[str, str]) -> None:
     with simulated("--tcp", "0", device=model) as place, open_port(place, timeout=PATIENCE) as device:
         for timestamp, clock in zip(("auto", "gps"), clocks):
             device.stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 10}, timestamp=timestamp)
-            device.clear()
             stamps = [stamp for stamp, _ in islice(device.fields(sensor.ScaledAccel), 12)]
             assert {stamp.clock for stamp in stamps} == {clock}
             assert [b.device - a.device for a, b in pairwise(stamps)] == pytest.approx([0.01] * 11, abs=1e-6)
             assert all(a.arrived <= b.arrived for a, b in pairwise(stamps))
         device.stream({sensor.ScaledAccel: 100}, timestamp=None)
-        device.clear()
         stamp, _ = next(device.fields(sensor.ScaledAccel))
         assert math.isnan(stamp.device) and stamp.clock == "" and stamp.arrived > 0
         with pytest.raises(ValueError, match="'utc' is not a clock; use one of gps, external"):
@@ -145,6 +143,26 @@ def test_a_stream_asks_for_the_model(model: str) -> None:
         device.stream({sensor.ScaledAccel: 100})
         device.clear()
         assert some(device.next(PATIENCE)).model == device.model == model
+
+
+def test_packets_in_the_old_format_are_discarded(kind: Kind, peer: Peer) -> None:
+    """Those of the set that waited, of which nothing is lost in a recording; others are kept."""
+    old, other, new = packet(0x80, "06 00000000"), packet(0x82, "10 0002 0000 0000"), packet(0x80, "04" + "00" * 12)
+    replies = packet(0x01, "f1 03 01"), packet(0x0C, "f1 0e 00", "8e 80 01f4"), acknowledge(0x0C, 0x0F)
+    read = bytearray()
+    with kind.at(peer.near, on_bytes=read.extend) as device:
+        started = [*replies[:2], old + other + replies[2], acknowledge(0x0C, 0x11) + new, acknowledge(0x01, 0x06)]
+        peer.answering(*started)
+        device.stream({sensor.ScaledAccel: 100}, timestamp=None)
+        assert [bytes(device.next(PATIENCE).packet) for _ in range(2)] == [other, new] and not device.waiting
+    assert read == b"".join(started)
+
+
+def test_a_clock_that_the_device_lacks(kind: Kind) -> None:
+    with simulated("--tcp", "0", device="3dm-gx5-45") as place, kind.open(place, timeout=PATIENCE) as device:
+        lacks = r"send shared.reference_timestamp \(clock: reference\); it has the clocks: gps, device$"
+        with pytest.raises(Refused, match=lacks):
+            device.stream({sensor.ScaledAccel: 100}, timestamp="reference")
 
 
 def test_a_device_that_does_not_say_its_model_streams() -> None:
