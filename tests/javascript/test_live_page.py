@@ -139,6 +139,7 @@ def test_commands_from_their_page(page: browser.Page) -> None:
         for name, change, wanted in (
             ("3dm.pps_source_control", "", "PPS source control acknowledged."),
             ("base.get_device_info", "", "model_name"),
+            ("base.continuous_built_in_test", "", "filter_process_fault = 0"),  # as this device names it
             ("3dm.pps_source_control", "99", "PPS source control refused: invalid parameter."),
         ):
             page.run(f"enter('#mip-field', {name!r})")
@@ -257,10 +258,11 @@ def test_unplugged_and_plugged_in_again(page: browser.Page) -> None:
 
 def test_a_device_that_loses_answers(page: browser.Page) -> None:
     with served(faults="lose_answer=1") as at:
-        opened(page, f"serve={at.server.address}")
+        opened(page, f"device=3dm-gq7&serve={at.server.address}")
         page.run("press('Connect')")
         page.run("until(() => /was not identified: .*no answer/.test(text('.mip-status')))")
         page.run("fold('Commands'); press('Send'); until(() => /no answer/.test(text('.mip-outcome')))")
+        page.run("until(() => !location.hash.includes('device='))")  # it need not be the linked one
 
 
 def test_a_page_without_the_token_reaches_nothing(page: browser.Page) -> None:
@@ -342,10 +344,15 @@ def test_a_serial_port_whose_baud_rate_is_searched(page: browser.Page) -> None:
         streams = "until(() => document.querySelectorAll('.mip-each > .mip-reading:not(.mip-last)').length === 5)"
         at.unplug()
         page.run(said("The connection is lost: The device has been lost. Connect again"))
-        assert page.run("[...document.querySelectorAll('.mip-totals button')].every((one) => one.disabled)")
+        page.run("fold('Commands')")
+        buttons = "[...document.querySelectorAll('.mip-totals button, .mip-forms button.mip-main')]"
+        assert page.run(f"{buttons}.map((one) => [one.textContent, one.disabled])") == [
+            [name, True] for name in ("Start", "Stop", "Record", "Send")
+        ]
         page.run("press('Connect again')")
         page.run(said("Connected to 3DM-CV7-GNSS/INS."))
         page.run(streams)
+        assert not page.run(f"{buttons}.at(-1).disabled")
         page.run("plug(false)")  # it will be another port
         at.unplug()
         page.run(said("The connection is lost: The device has been lost. Connect again"))

@@ -17,7 +17,7 @@ import { hexByte, spacedHex } from "./words.mjs";
  * Fills an element with the builder. `options` are those of `links`, and `start`, the fragment of an address, which may
  * also be the name of a field, or a packet in hexadecimal, perhaps behind the id of a device. `send` is called with a
  * packet and its fields, and returns the elements that show what became of it; with it, there is a button for it. With
- * `deviceElsewhere`, the device is chosen by `useDevice` of what is returned.
+ * `deviceElsewhere`, the device is chosen by `useDevice` of what is returned, whose `send` is the button.
  */
 export function builder(root, protocol, options = {}) {
     const to = links(options);
@@ -54,6 +54,7 @@ export function builder(root, protocol, options = {}) {
     const forms = element("div.mip-forms");
     const output = announced("div.mip-output");
     const outcome = element("div.mip-outcome", { role: "status" });
+    const send = element("button", { type: "button", class: "mip-main", onclick: () => transmit() }, "Send");
 
     let started = false; // the address stays as it is until something is changed
     const show = () => {
@@ -69,9 +70,9 @@ export function builder(root, protocol, options = {}) {
     };
     const layOut = () => {
         if (!state.entries.length) return;
-        const send = options.send && element("p", element("button", { type: "button", class: "mip-main", onclick: transmit }, "Send"));
+        const sending = options.send && element("p", send);
         forms.replaceChildren(
-            ...[...entryForms(protocol, state, { changed: show, reshaped }, to), send, outcome, adder.root].filter(Boolean),
+            ...[...entryForms(protocol, state, { changed: show, reshaped }, to), sending, outcome, adder.root].filter(Boolean),
         );
         adder.refresh();
     };
@@ -123,7 +124,7 @@ export function builder(root, protocol, options = {}) {
         redrawn();
         started = true;
     };
-    return { choose: (name) => choose(protocol, name, begin), state: () => state, useDevice };
+    return { choose: (name) => choose(protocol, name, begin), send, state: () => state, useDevice };
 }
 
 /** Begins with the field of this name, which may be its name in one of its sets. */

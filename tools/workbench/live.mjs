@@ -205,7 +205,7 @@ class Live {
     /** Sets the device, and enables the buttons that need one. */
     #use(device) {
         this.#device = device;
-        this.#parts.stop.disabled = this.#parts.record.disabled = !device;
+        this.#parts.stop.disabled = this.#parts.record.disabled = this.#builder.send.disabled = !device;
         this.#tellNeed();
     }
 
@@ -287,7 +287,7 @@ class Live {
         if (device !== this.#device) return;
         this.#parts.actions.replaceChildren(element("button", { type: "button", onclick: () => this.#leave() }, "Disconnect"));
         this.#readings.device = known?.id;
-        if (known) this.#state.set({ device: known.id });
+        this.#state.set({ device: known?.id ?? "" });
         this.#parts.streams.open = true;
         if (known && this.#parts.preset.checked && !this.#state.get("streams")) {
             this.#state.set({ streams: presetOf(this.#protocol, known) });
@@ -388,21 +388,21 @@ class Live {
      * error }.
      */
     async #exchange(packet) {
-        const [part] = inspectBytes(this.#protocol, packet.bytes);
+        const inspected = (bytes) => inspectBytes(this.#protocol, bytes, this.#readings.device)[0].fields;
+        const sent = inspected(packet.bytes);
         const commands = [...packet.fields()].map(({ set, descriptor, data }) => registry.typeOf(set, descriptor, data).decode(data));
         const outcomes = await this.#device.exchange(commands);
         return outcomes.map((outcome, i) => {
-            const command = part.fields[i];
+            const command = sent[i];
             if (!outcome) return { command, error: "this command is not answered" };
             if (outcome.type !== "answer") return { command, error: outcome.type === "timedOut" ? "no answer" : outcome.message };
-            const answered = inspectBytes(this.#protocol, acknowledged(this.#protocol, command, outcome.code))[0].fields[0];
-            const response = outcome.response && inspectBytes(this.#protocol, outcome.response.packet().bytes)[0].fields[0];
+            const answered = inspected(acknowledged(this.#protocol, command, outcome.code))[0];
+            const response = outcome.response && inspected(outcome.response.packet().bytes)[0];
             return { command, answer: answered, response, error: outcome.error?.message ?? outcome.rejected?.text };
         });
     }
 
     async #send(packet) {
-        if (!this.#device) return [element("p.mip-wrong", "Not connected.")];
         try {
             const found = await this.#exchange(packet);
             return found.map((one) =>
@@ -425,7 +425,7 @@ class Live {
             this.#endRecording();
             return;
         }
-        this.#recording = new Recording(this.#state.get("device") || "device");
+        this.#recording = new Recording(this.#readings.device ?? "device");
         addEventListener("beforeunload", ask);
         this.#parts.record.textContent = "Stop and save";
     }
@@ -491,7 +491,7 @@ class Live {
             const late = reading.isLate(now);
             rate.textContent = `${set}, ${late ? "no longer sent" : `${Number(reading.rate(now).toPrecision(3))} Hz`}`;
             root.classList.toggle("mip-late", late);
-            const rows = inspectData(this.#protocol, reading, this.#state.get("device") || undefined);
+            const rows = inspectData(this.#protocol, reading, reading.device);
             if (rows.length !== cells.length) {
                 const made = rows.map(({ path }) => [element("dt", path), element("dd")]);
                 values.replaceChildren(...made.flat());

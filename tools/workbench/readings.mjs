@@ -34,6 +34,10 @@ export class Readings {
         this.#clocks = new Clocks(this.#protocol, new Times({ device }));
     }
 
+    get device() {
+        return this.#device;
+    }
+
     /** The number of missing samples of all fields. */
     get lost() {
         return [...this.fields.values()].reduce((sum, { rhythm }) => sum + rhythm.lost, 0);
