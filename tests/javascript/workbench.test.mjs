@@ -390,6 +390,21 @@ test("model numbers have the names of devices", { skip: !real && "of the real on
     assert.equal(fields[0].rows.find(({ path }) => path.endsWith("model_number")).meaning, "3DM-CV7-GNSS/INS");
 });
 
+test("a set that a device lacks the hardware for is not supported", { skip: !real && "of the real one" }, () => {
+    const context = vm.createContext({ TextEncoder }); // what the search of the reference uses has a smaller model
+    vm.runInContext(fs.readFileSync(path.resolve(process.env.WORKBENCH, "fields.js"), "utf8"), context);
+    for (const mip of [globalThis.mip, context.mip]) {
+        const of = new mip.Protocol(mip.model);
+        const device = of.model.devices.find(({ id }) => id === "3dm-cv7-ar");
+        const on = (name, set) => mip.certaintyOn(of, device, of.field(name), set);
+        assert.equal(on("gnss_1.fix_info", 0x91), undefined);
+        assert.equal(on("shared.reference_timestamp", 0x91), undefined);
+        assert.equal(on("shared.reference_timestamp", 0x80), "");
+        assert.equal(on("3dm.poll_gnss_data", 0x0c), undefined);
+        assert.equal(on("3dm.poll_imu_data", 0x0c), "not known");
+    }
+});
+
 test("decimations have their rate in Hz on a device", { skip: !real && "of the real one" }, () => {
     const text = "75650C0B0B0F01800204000A05000AABE8"; // scaled accel and gyro
     const rates = (device) => {

@@ -192,21 +192,33 @@ export function shownOperations(protocol, field, values) {
 
 /**
  * Returns the entry of a device's `supports` for a field in a set, or for a response's command; without a device, an
- * empty one.
+ * empty one. A set that the device lacks has no shared fields either.
  */
 export function supportOn(protocol, device, field, set) {
     if (!device || field === protocol.acknowledge) return {};
-    const names = field.role === "response" ? commandsOf(protocol, field) : [nameIn(field, set)];
-    return device.supports?.find((one) => names.includes(one.field));
+    const names = statedNames(protocol, field, set);
+    return lacks(protocol, device, set) ? undefined : device.supports?.find((one) => names.includes(one.field));
+}
+
+/** Does the profile of a device rule out a field in a set, or the whole set for lack of hardware? */
+function isRefused(protocol, device, field, set) {
+    const names = statedNames(protocol, field, set);
+    return lacks(protocol, device, set) || names.every((name) => device.refuses?.some((one) => one.field === name));
+}
+
+function lacks(protocol, device, set) {
+    return device.evidence?.some(({ sets }) => sets?.includes(protocol.sets.get(set)?.name));
+}
+
+/** Returns the names under which a profile states whether a device has a field: a response's are those of its commands. */
+function statedNames(protocol, field, set) {
+    if (field.role !== "response") return [nameIn(field, set)];
+    return protocol.model.fields.filter((one) => one.responses?.includes(field.name)).map((one) => one.name);
 }
 
 /** Returns how certain the evidence makes the support: "yes", "likely" or "assumed". */
 function certaintyIn(device, support) {
     return device?.evidence?.[support.evidence]?.answer ?? "yes";
-}
-
-function commandsOf(protocol, response) {
-    return protocol.model.fields.filter((one) => one.responses?.includes(response.name)).map((one) => one.name);
 }
 
 /**
@@ -217,13 +229,13 @@ export function certaintyOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
     const certainty = support && certaintyIn(device, support);
     if (support) return certainty === "yes" ? "" : certainty;
-    if (device?.refuses?.some((one) => one.field === nameIn(field, set))) return undefined;
-    return device.incomplete ? "not known" : undefined;
+    return device.incomplete && !isRefused(protocol, device, field, set) ? "not known" : undefined;
 }
 
 /** Returns the differences on a device in a set, each in words. */
 export function differencesOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
+    if (!support && isRefused(protocol, device, field, set)) return ["it does not support this"];
     if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
     const found = [];
     const certainty = certaintyIn(device, support);

@@ -67,8 +67,7 @@ function searched(model) {
         devices: model.devices?.map((device) => ({
             ...only(OF_DEVICE, device),
             supports: device.supports?.map((one) => only(["field", "evidence"], one)),
-            evidence:
-                device.evidence && Object.fromEntries(Object.entries(device.evidence).map(([key, one]) => [key, only(["answer"], one)])),
+            evidence: device.evidence?.map((one) => only(["answer", "sets"], one)),
         })),
     };
 }
