@@ -54,7 +54,7 @@ function report(device, chooser) {
     const ports = portsFor(device, baud).map(({ port, rate }) => {
         const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is sufficient");
         const kind = rate === undefined ? "mip-wrong" : "";
-        return element("li", { "data-port": port.name, class: kind }, `${port.name}: `, element("span", `${words}`), rate ? " Bd" : "");
+        return element("li", { "data-port": port.name, class: kind }, `${port.name}: `, element("span", `${words}`), rate > 0 ? " Bd" : "");
     });
     return [
         element("p.mip-need", `${round(bytes)} byte${round(bytes) === 1 ? "" : "s"}/s; over a UART at least ${round(baud)} Bd.`),

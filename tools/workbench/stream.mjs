@@ -64,13 +64,14 @@ export function needText({ bytes, baud }) {
 }
 
 /**
- * Returns the ports of a device with the lowest sufficient rate: undefined if there is none, null for a port without a
- * baud rate.
+ * Returns the ports of a device with the lowest sufficient rate: undefined if there is none, null for USB, which has no
+ * baud rate, and "not known" for any other port without a list of rates.
  */
 export function portsFor(device, baud) {
+    const unlisted = ({ name }) => (name.startsWith("USB") ? null : "not known");
     return (device?.ports ?? []).map((port) => ({
         port,
-        rate: port.baud_rates.length ? port.baud_rates.filter((rate) => rate >= baud).sort((a, b) => a - b)[0] : null,
+        rate: port.baud_rates.length ? port.baud_rates.filter((rate) => rate >= baud).sort((a, b) => a - b)[0] : unlisted(port),
     }));
 }
 
