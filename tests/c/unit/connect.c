@@ -84,7 +84,7 @@ static bool fake_write(void *user, const uint8_t *bytes, size_t size) {
         f->out_size = 40;
         return true;
     }
-    if (f->lose > 0 && (f->lose_of == 0 || f->lose_of == command)) {
+    if (f->lose > 0 && !misses && (f->lose_of == 0 || f->lose_of == command)) {
         f->lose--;
         return true;
     }
@@ -302,7 +302,7 @@ static void streams(void) {
     }
 }
 
-/* The first timestamp of the set that the device accepts; the first reply counts if it accepts none. */
+/* The first timestamp of the set that the device accepts; without one, the other fields are sent. */
 static void times(void) {
     static const uint8_t stamps[] = {0xD5, 0xD7, 0x12, 0xD3};
     for (unsigned i = 0; i < sizeof(stamps); i++) {
@@ -319,7 +319,15 @@ static void times(void) {
         CHECK(timed[0].descriptor == MIP_TIMESTAMP); /* for another device */
         start(115200);
         fake.begin = 0x11; /* of another set */
-        CHECK(mip_device_stream(&device, 0x80, 2, timed).outcome == MIP_REFUSED && fake.count == 5);
+        CHECK(mip_device_stream(&device, 0x80, 2, timed).outcome == MIP_REFUSED && fake.count == 6);
+        CHECK(mip_device_stream(&device, 0x80, 1, timed).outcome == MIP_REFUSED); /* the format is not cleared */
+        start(115200);
+        fake.begin = 0x04; /* no timestamp is accepted; the command without one is repeated */
+        fake.lose = i % 3;
+        fake.lose_of = 0x0C0F;
+        CHECK(mip_device_stream(&device, 0x80, 2, timed).outcome == MIP_ACKNOWLEDGED && fake.count == 8 + i % 3);
+        CHECK(fake.format_size == 6 && fake.format[3] == 0x04 && mip_get_16(fake.format + 4) == 20);
+        CHECK(timed[0].descriptor == MIP_TIMESTAMP && timed[1].descriptor == 0x04);
         start(115200);
         fake.older = true;
         fake.begin = stamps[i];

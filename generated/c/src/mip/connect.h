@@ -41,7 +41,8 @@ MIP_API struct mip_result mip_device_connect(struct mip_device *device,
                                              bool (*set_baud)(void *user, uint32_t baud),
                                              struct mip_base_get_device_info_response *identity);
 
-/** The first timestamp of the set that the device accepts; it rejects the stream if it has none. */
+/** The first timestamp of the set that the device accepts; if it has none, the other fields are
+ * sent without one. */
 #define MIP_TIMESTAMP 0U
 
 /** A field of a stream, and how often it is sent. */

@@ -107,6 +107,10 @@ struct plan {
     uint8_t count;
     /* True if the device supports only the commands of older devices. */
     bool older;
+    /* The index of the timestamp in `fields`; `count` if there is none. */
+    uint8_t stamp_at;
+    /* How many timestamps have been tried. */
+    uint8_t tried;
     struct mip_rate *rates;
     struct mip_3dm_get_base_rate_response base;
     struct mip_descriptor_rate fields[83];
@@ -171,23 +175,54 @@ static uint16_t decimation(float base, float wanted) {
     return (uint16_t)(faster - wanted <= wanted - slower ? below : below + 1);
 }
 
+/** The timestamps to try, in this order: descriptor set, 0 for all, and descriptor. */
+static const uint8_t timestamps[][2] = {
+    {0, 0xD5},    {0, 0xD7},    {0x81, 0x09}, {0x91, 0x09}, {0x92, 0x09},
+    {0x94, 0x09}, {0x95, 0x09}, {0x82, 0x11}, {0x80, 0x12}, {0, 0xD3},
+};
+
+/** Writes the next timestamp to try into the fields; after the last one, drops it. Returns false if
+ * there is nothing else to try. */
+static bool next_timestamp(struct plan *plan) {
+    while (plan->stamp_at < plan->count &&
+           plan->tried < sizeof(timestamps) / sizeof(timestamps[0])) {
+        const uint8_t *const timestamp = timestamps[plan->tried++];
+        if (timestamp[0] == 0 || timestamp[0] == plan->descriptor_set) {
+            plan->fields[plan->stamp_at].descriptor = timestamp[1];
+            return true;
+        }
+    }
+    if (plan->stamp_at >= plan->count || plan->count == 1) { /* no fields would clear the format */
+        return false;
+    }
+    plan->count--;
+    for (size_t i = plan->stamp_at; i < plan->count; i++) {
+        plan->fields[i] = plan->fields[i + 1];
+    }
+    plan->stamp_at = plan->count;
+    return true;
+}
+
 /** Computes the decimations, and checks that the device supports all rates. Sends nothing. */
 static struct mip_result divide(struct mip_device *device, void *shared) {
     struct plan *plan = (struct plan *)shared;
     struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
     const uint16_t base = plan->base.rate;
     (void)device;
-    for (size_t i = 0; i < plan->count; i++) {
+    plan->stamp_at = plan->count;
+    for (uint8_t i = plan->count; i-- > 0;) {
         struct mip_rate *rate = &plan->rates[i];
         const bool fastest = rate->wanted <= 0 && rate->wanted >= 0;
         const uint16_t by = base == 0 || fastest ? 1 : decimation(base, rate->wanted);
         plan->fields[i].descriptor = rate->descriptor;
         plan->fields[i].decimation = by;
+        plan->stamp_at = rate->descriptor == MIP_TIMESTAMP ? i : plan->stamp_at;
         rate->nearest = (float)base / (float)by;
         if (!mip_rate_fits(rate)) {
             result.outcome = MIP_NO_SUCH_RATE;
         }
     }
+    (void)next_timestamp(plan);
     return result;
 }
 
@@ -205,29 +240,12 @@ static struct mip_result write_format(struct mip_device *device, const struct pl
                                              plan->fields);
 }
 
-/** The timestamps to try, in this order: descriptor set, 0 for all, and descriptor. */
-static const uint8_t timestamps[][2] = {
-    {0, 0xD5},    {0, 0xD7},    {0x81, 0x09}, {0x91, 0x09}, {0x92, 0x09},
-    {0x94, 0x09}, {0x95, 0x09}, {0x82, 0x11}, {0x80, 0x12}, {0, 0xD3},
-};
-
 static struct mip_result format(struct mip_device *device, void *shared) {
     struct plan *plan = (struct plan *)shared;
-    struct mip_result result = {MIP_REFUSED, 0, MIP_OK, false};
-    size_t at = 0;
-    while (at < plan->count && plan->rates[at].descriptor != MIP_TIMESTAMP) {
-        at++;
-    }
-    if (at == plan->count) {
-        return write_format(device, plan);
-    }
-    for (size_t i = 0;
-         i < sizeof(timestamps) / sizeof(timestamps[0]) && result.outcome == MIP_REFUSED; i++) {
-        if (timestamps[i][0] == 0 || timestamps[i][0] == plan->descriptor_set) {
-            plan->fields[at].descriptor = timestamps[i][1];
-            result = write_format(device, plan);
-        }
-    }
+    struct mip_result result;
+    do {
+        result = write_format(device, plan);
+    } while (result.outcome == MIP_REFUSED && next_timestamp(plan));
     return result;
 }
 
@@ -262,6 +280,7 @@ struct mip_result mip_device_stream(struct mip_device *device, uint8_t descripto
     plan.descriptor_set = descriptor_set;
     plan.count = count;
     plan.older = false;
+    plan.tried = 0;
     plan.rates = rates;
     return run(device, steps, sizeof(steps) / sizeof(steps[0]), &plan);
 }
