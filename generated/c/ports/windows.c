@@ -15,11 +15,20 @@
 
 /* ------------------------------------------------------------------------ reading and writing */
 
+/** Notes why a line is lost; returns false. */
+static bool lost(void *user, const char *why) {
+    struct mip_line *line = (struct mip_line *)user;
+    if (line->handle != -1) { /* otherwise, it is known why it could not be opened again */
+        line->error = why;
+    }
+    return false;
+}
+
 static bool read_serial(void *user, uint8_t *bytes, size_t size, size_t *count) {
     DWORD got = 0;
     const HANDLE port = (HANDLE)((struct mip_line *)user)->handle;
     if (!ReadFile(port, bytes, (DWORD)size, &got, NULL)) { /* waits as configured by set_mode */
-        return false;
+        return lost(user, "the port was disconnected");
     }
     *count = got;
     return true;
@@ -30,7 +39,7 @@ static bool write_serial(void *user, const uint8_t *bytes, size_t size) {
     while (size > 0) {
         DWORD count = 0;
         if (!WriteFile(port, bytes, (DWORD)size, &count, NULL) || count == 0) {
-            return false;
+            return lost(user, "the port was disconnected, or accepts no bytes");
         }
         bytes += count;
         size -= count;
@@ -53,12 +62,12 @@ static int wait_for(SOCKET socket, short event, int wait) {
 static bool read_tcp(void *user, uint8_t *bytes, size_t size, size_t *count) {
     const SOCKET socket = (SOCKET)((struct mip_line *)user)->handle;
     const int ready = wait_for(socket, POLLRDNORM, MIP_LINE_WAIT);
-    if (ready <= 0) {
-        return ready == 0; /* nothing for a while */
+    if (ready <= 0) { /* nothing for a while */
+        return ready == 0 || lost(user, "the connection was lost");
     }
     const int got = recv(socket, (char *)bytes, (int)size, 0);
     if (got <= 0) {
-        return false;
+        return lost(user, got == 0 ? "the connection was closed" : "the connection was lost");
     }
     *count = (size_t)got;
     return true;
@@ -68,11 +77,11 @@ static bool write_tcp(void *user, const uint8_t *bytes, size_t size) {
     const SOCKET socket = (SOCKET)((struct mip_line *)user)->handle;
     while (size > 0) {
         if (wait_for(socket, POLLWRNORM, MIP_LINE_PATIENCE) <= 0) {
-            return false;
+            return lost(user, "the other end accepts no bytes");
         }
         const int count = send(socket, (const char *)bytes, (int)size, 0);
         if (count <= 0) {
-            return false;
+            return lost(user, "the connection was lost");
         }
         bytes += count;
         size -= (size_t)count;

@@ -18,6 +18,12 @@
 
 /* ------------------------------------------------------------------------ reading and writing */
 
+/** Notes why a line is lost; returns false. */
+static bool lost(struct mip_line *line, const char *why) {
+    line->error = why;
+    return false;
+}
+
 static bool read_line(void *user, uint8_t *bytes, size_t size, size_t *count) {
     struct mip_line *line = (struct mip_line *)user;
     if (line->handle < 0) { /* could not be opened again; poll() would ignore it */
@@ -25,20 +31,23 @@ static bool read_line(void *user, uint8_t *bytes, size_t size, size_t *count) {
     }
     struct pollfd wait = {(int)line->handle, POLLIN, 0};
     const int ready = poll(&wait, 1, MIP_LINE_WAIT);
-    if (ready <= 0) {
-        return ready == 0 || errno == EINTR; /* nothing for a while */
+    if (ready <= 0) { /* nothing for a while */
+        return ready == 0 || errno == EINTR || lost(line, strerror(errno));
     }
     const ssize_t got = read(wait.fd, bytes, size);
     if (got < 0) {
-        return errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK;
+        return errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK ||
+               lost(line, strerror(errno));
     }
     *count = (size_t)got;
-    /* The end of a connection, or a terminal that was hung up. */
-    return got > 0 || (!line->is_tcp && (wait.revents & POLLHUP) == 0);
+    if (got == 0 && line->is_tcp) {
+        return lost(line, "the connection was closed");
+    }
+    return got > 0 || (wait.revents & POLLHUP) == 0 || lost(line, "the port was disconnected");
 }
 
 static bool write_line(void *user, const uint8_t *bytes, size_t size) {
-    const struct mip_line *line = (const struct mip_line *)user;
+    struct mip_line *line = (struct mip_line *)user;
     if (line->handle < 0) {
         return false;
     }
@@ -46,7 +55,7 @@ static bool write_line(void *user, const uint8_t *bytes, size_t size) {
         struct pollfd wait = {(int)line->handle, POLLOUT, 0};
         const int ready = poll(&wait, 1, MIP_LINE_PATIENCE);
         if (ready == 0 || (ready < 0 && errno != EINTR)) {
-            return false;
+            return lost(line, ready == 0 ? "the other end accepts no bytes" : strerror(errno));
         }
 #ifdef MSG_NOSIGNAL
         const ssize_t count =
@@ -55,7 +64,7 @@ static bool write_line(void *user, const uint8_t *bytes, size_t size) {
         const ssize_t count = write(wait.fd, bytes, size);
 #endif
         if (count < 0 && errno != EINTR && errno != EAGAIN && errno != EWOULDBLOCK) {
-            return false;
+            return lost(line, strerror(errno));
         }
         if (count > 0) {
             bytes += count;

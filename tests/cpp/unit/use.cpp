@@ -54,6 +54,7 @@ void enumerations() {
     CHECK(to_string(gnss_fix_type::fix_3d) == "fix_3d" && to_string(static_cast<gnss_fix_type>(99)).empty());
     CHECK(shown(gnss_fix_type::fix_3d, ' ', static_cast<gnss_fix_type>(99)) == "fix_3d 99");
     CHECK(mip::to_string(MIP_ERROR_TRUNCATED) == "truncated");
+    CHECK(shown(mip::outcome::timed_out) == "timed out");
 }
 
 void flags() {

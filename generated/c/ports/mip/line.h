@@ -36,7 +36,7 @@ struct mip_line {
     uint32_t baud;
     /** Is it a TCP connection? */
     bool is_tcp;
-    /** Why it could not be opened; NULL if it is open. */
+    /** Why it could not be opened, or why it was lost; NULL while it is open. */
     const char *error;
 };
 

@@ -48,6 +48,13 @@ inline std::string_view to_string(outcome value) {
     return mip_outcome_name(static_cast<enum mip_outcome>(value));
 }
 
+/** Writes "timed out" to a stream such as std::ostream. */
+template <class Stream>
+auto operator<<(Stream &out, outcome value)
+    -> decltype(static_cast<Stream &>(out << std::string_view())) {
+    return static_cast<Stream &>(out << to_string(value));
+}
+
 /** The base of all results. */
 class [[nodiscard]] basic_result {
   public:
@@ -117,7 +124,7 @@ template <> class [[nodiscard]] result<void> : public basic_result {
 template <class Stream, class Response>
 auto operator<<(Stream &out, const result<Response> &of)
     -> decltype(static_cast<Stream &>(out << std::string_view())) {
-    out << to_string(of.outcome());
+    out << of.outcome();
     return of.reason().empty() ? out : static_cast<Stream &>(out << ", " << of.reason());
 }
 
