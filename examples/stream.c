@@ -4,6 +4,7 @@
 #include "mip/sensor.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static void on_accel(void *user, const struct mip_field *field, uint32_t arrived) {
     struct mip_sensor_scaled_accel accel;
@@ -41,7 +42,8 @@ int main(int argc, char **argv) {
     if (!mip_succeeded(result)) {
         return failed("connect", &device, result);
     }
-    printf("%s\n", info.device_info.model_name);
+    const char *model = info.device_info.model_name; /* padded with spaces */
+    puts(model + strspn(model, " "));
     result = mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates));
     if (!mip_succeeded(result)) { /* rates[0].nearest is the nearest supported rate */
         return failed("stream", &device, result);
