@@ -70,8 +70,9 @@ MIP_API uint8_t mip_reading_of_model(uint16_t model_number);
 MIP_API enum mip_time_state mip_time(const struct mip_packet *packet, uint8_t clock,
                                      uint8_t reading, int64_t *time);
 
-/** Converts nanoseconds since a clock's epoch to nanoseconds since 1970 in UTC. A leap second
- * becomes the second after it. The time of a clock without a date is unchanged. */
+/** Converts nanoseconds since a clock's epoch, which you computed yourself, to nanoseconds since
+ * 1970 in UTC; the result of mip_time is in UTC already. A leap second becomes the second after it.
+ * The time of a clock without a date is unchanged. */
 MIP_API int64_t mip_time_utc(uint8_t clock, int64_t time);
 
 #ifdef __cplusplus
