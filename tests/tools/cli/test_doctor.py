@@ -392,6 +392,27 @@ def test_flags_that_depend_on_the_device() -> None:
     }  # fmt: skip
 
 
+def test_built_in_tests() -> None:
+    """Of every device that has one; that a receiver has no position is no fault."""
+    flags = sum(1 << bit for bit in (1, 40, 105, 108, 110))
+    data = timed_packets.packet(0xA0, (0x01, flags.to_bytes(16, "little"))) * 3
+    for device, more in (("3dm-cv7-gnss-ins", {"receiver_1_fault", "receiver_2_fault"}), ("3dm-cv7-ahrs", set[str]())):
+        found = {f.cause: f for f in findings.in_stream(examined(data, device))}
+        assert found.keys() - {"no timestamps"} == {"power_fault", "accel_general_fault"} | more
+        assert found["accel_general_fault"].details == ("affects sensor.scaled_accel",)
+
+
+def test_only_a_filter_that_starts_is_not_ready() -> None:
+    for state, text in (
+        (1, "the filter is not ready: filter_state 1 (init)"),
+        (2, "filter_state 2 (run_solution_valid)"),
+    ):
+        status = struct.pack(">3H", state, 1, 0)
+        data = timed_packets.packet(0x82, (0x05, struct.pack(">3fH", 0, 0, 0, 0)), (0x10, status)) * 3
+        found = next(f for f in findings.in_stream(examined(data, "3dm-gx5-15")) if f.cause == "not valid")
+        assert found.remedy == f"{text} at the end"
+
+
 def test_which_bits_are_set_at_the_end() -> None:
     """Each bit by itself, wherever the log is divided."""
     begun, ended = with_status(1 | 1 << 3), with_status(1 | 1 << 9)
@@ -496,6 +517,14 @@ def test_a_device_and_its_rates(place: str) -> None:
     assert code == 1
     assert "sensor.scaled_accel: 100 Hz instead of 300 Hz\n  rates are 1000 Hz divided by whole numbers" in out
     assert "sensor.scaled_gyro: 0 Hz instead of 2000 Hz\n  the base rate of sensor is 1000 Hz" in out
+
+
+def test_rates_of_an_older_device() -> None:
+    with simulated(device="3dm-gx5-15") as place:
+        assert mip("stream", place, "sensor.scaled_accel@100", "--packets", "1")[0] == 0
+        out = mip("doctor", place, "--duration", "1", "sensor.scaled_accel@2000", "sensor.scaled_gyro@300")[1]
+    assert "instead of 2000 Hz\n  the base rate of sensor is 1000 Hz" in out
+    assert "instead of 300 Hz\n  rates are 1000 Hz divided by whole numbers; the nearest is 333.33 Hz" in out
 
 
 @pytest.mark.usefixtures("no_reply_comes")

@@ -142,7 +142,7 @@ def _concerned(names: Sequence[str]) -> tuple[list[str], list[str]]:
     commands: list[str] = []
     for name in names:
         try:
-            data = registry.by_name(name).SET >= 0x80
+            data = registry.by_name(name).SETS[0] >= 0x80
         except UnknownName:
             continue
         (fields if data else commands).append(name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -17,6 +18,10 @@ from .examined import Key, SeldomValid, Warned
 
 #: A field is seldom valid if a smaller share of its values is.
 _SELDOM = 0.5
+#: The states in which a filter has no solution yet.
+_NOT_READY = ("startup", "init")
+#: The field whose bits are all faults, except those that only say that a receiver has no position.
+_TESTS, _NO_POSITION = "system_data.built_in_test", re.compile(r"receiver_\d_(no_solution|solution_fault)")
 
 
 class Flags:
@@ -52,8 +57,8 @@ class Flags:
             if on and device is None and not any(p.attribute in q.holders for q in info(kind).parameters):
                 self._unnamed[kind.NAME] = None
             its_type = on[device] if on and device is not None else p.type
-            about = info(its_type) if its_type is not None and p.kind == "scalar" else None
-            bits = [bit for bit in about.bits if bit.concerns] if isinstance(about, BitsInfo) else []
+            about = info(its_type) if its_type is not None else None
+            bits = [bit for bit in about.bits if _warns(kind, bit)] if isinstance(about, BitsInfo) else []
             if bits:
                 yield p.attribute, bits
 
@@ -88,14 +93,14 @@ class Flags:
         if len(column):
             number, kind = int(column["filter_state"][-1]), column.parameters["filter_state"].type
             name = info(kind).names.get(number) if kind is not None else None
-            self._state = f"filter_state {number}{f' ({name})' if name else ''}"
+            ready = "the filter is not ready: " if name in _NOT_READY else ""
+            self._state = f"{ready}filter_state {number}{f' ({name})' if name else ''} at the end"
 
     def seldom_valid(self) -> Iterator[SeldomValid]:
         """Yields the fields that are not valid most of the time, and not at the end."""
         for (number, _), watched in self._valid.items():
             if watched.total and not watched.last and watched.valid < _SELDOM * watched.total:
-                filtered = number in _filter_sets() and self._state
-                state = f"the filter is not ready: {self._state} at the end" if filtered else ""
+                state = self._state if number in _filter_sets() else ""
                 yield SeldomValid(info(watched.kind).title, watched.valid, watched.total, state)
 
     def warned(self, names: Mapping[Key, str]) -> Iterator[Warned]:
@@ -126,6 +131,13 @@ class _Valid:
     valid: int = 0
     total: int = 0
     last: bool = False
+
+
+def _warns(kind: Any, bit: Any) -> bool:
+    """Does a bit in a field report a fault?"""
+    if kind.NAME == _TESTS:
+        return not bit.alias and not _NO_POSITION.fullmatch(bit.name)
+    return bool(bit.concerns)
 
 
 def _filter_sets() -> tuple[int, ...]:

@@ -78,9 +78,9 @@ class Patient:
             pass
         for number in dict.fromkeys(occurrence.set for occurrence in rates):
             try:
-                self.bases[number] = commands.rate(device.request(commands.base_rate(number)))
+                self.bases[number] = _base_rate(device, commands, number)
             except MipError:
-                continue  # an older device, or one without this set
+                continue  # a device without this set
         return True
 
     def _find(self, cause: str, text: str, remedy: str = "", *details: str) -> None:
@@ -133,6 +133,17 @@ class Patient:
             ):
                 remedy = "the line cannot carry it: raise the baud rate"
             self._find("rate not reached", f"{occurrence.name}: {hertz(real)} Hz instead of {rate:g} Hz", remedy)
+
+
+def _base_rate(device: Any, commands: Any, number: int) -> float:
+    """Reads the base rate of a set, with the command of older devices if the device rejects the usual one."""
+    try:
+        return float(commands.rate(device.request(commands.base_rate(number))))
+    except Refused:
+        older = commands.older.get(number)
+        if older is None:
+            raise
+        return float(older.rate(device.request(older.base_rate())))
 
 
 def why_not_open(name: str, error: BaseException) -> Finding:
