@@ -322,6 +322,22 @@ def test_what_is_no_text(at: At, tmp_path: Path) -> None:
     assert at.commands == []
 
 
+def test_flags_that_a_device_lacks(at: At, tmp_path: Path) -> None:
+    at.device = VirtualDevice("3dm-gx5-15")
+    path = tmp_path / "s.yaml"
+    text = "model: 3dm-gx5-15\nsettings: {filter: {estimation_control: {flags: [gyro_bias%s]}}}\n"
+    path.write_text(text % ", antenna_offset, auto_hard_iron")
+    code, _, error = mip("config", "push", "PORT", path)
+    assert code == 1 and "'flags' cannot have antenna_offset|auto_hard_iron on this device; known: gyro_bias" in error
+    path.write_text(text % "")
+    assert mip("config", "push", "PORT", path)[0] == 0
+
+
+def test_ports_whose_rates_are_not_known_have_one() -> None:
+    text = file_of(VirtualDevice("3dm-gq7"))
+    assert "      1: {baud: 115200}\n      2: {baud: 115200}\n" in text
+
+
 def test_another_model(at: At, tmp_path: Path) -> None:
     path = tmp_path / "s.yaml"
     path.write_text("model: 3dm-gq7\nsettings: {3dm: {sensor_range: {accel: {setting: 2}}}}\n")

@@ -171,6 +171,16 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
         host.ok(filter.AutoAngularZupt.save())
 
 
+def test_bits_that_only_some_devices_have(old: Host) -> None:
+    """In defaults, too."""
+    assert old.ok(filter.EstimationControl.read()).flags == 1
+    assert old.ok(filter.EnableMeasurements.read()).control == 1
+    assert old.refused(filter.EstimationControl.write(0x7F)) == INVALID
+    old.ok(filter.EstimationControl.write(1))
+    selector = Host(VirtualDevice("3dm-cv7-ins")).ok(filter.InitializationConfig.read()).auto_heading_alignment_selector
+    assert selector == selector.KINEMATIC | selector.MAG
+
+
 def test_apply_without_reply(old: Host) -> None:
     assert old.ask(mip_3dm.GyroBias.apply((0.1, 0.2, 0.3))) == []
     assert old.ok(mip_3dm.GyroBias.read()).bias == pytest.approx((0.1, 0.2, 0.3))

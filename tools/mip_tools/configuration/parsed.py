@@ -10,6 +10,7 @@ from typing import Any
 
 from ..binding import DEVICES, Device, EncodeError, Parameter, Structure, UnknownName, device_id, info
 from ..devices.checks import SAME, in_limits, set_of
+from ..devices.facts import mask_of
 from ..devices.settings import stored_by
 from ..errors import Failure
 from ..names import typed
@@ -255,6 +256,10 @@ class _Reader(YamlReader):
         enumerated = numbers_by_name and not p.refers and not isinstance(value, IntFlag)
         if enumerated and int(value) not in numbers_by_name.values():
             raise Wrong(node, f"'{p.name}' has no value {node.value}; known: {', '.join(numbers_by_name)}")
+        extra = value & ~mask_of(p.type, p.only) if isinstance(value, IntFlag) and p.only else 0
+        if extra:
+            flags = p.format(p.type(extra))
+            raise Wrong(node, f"'{p.name}' cannot have {flags} on this device; known: {', '.join(p.only)}")
         if isinstance(value, (int, float)) and not isinstance(value, (bool, IntFlag)) and not in_limits(p, value, SAME):
             unit = f" {p.unit}" if p.unit not in ("", "1") else ""
             limits = f"{p.range or 'a number'}{unit}" if p.constant is None else p.constant

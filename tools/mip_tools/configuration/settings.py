@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from functools import cache
 from itertools import product
 from typing import Any
 
-from ..binding import DEVICES, Command, Device, Evidence, Parameter, Support, info, registry
+from ..binding import DEVICES, Command, Device, Evidence, Parameter, Port, Support, info, registry
 from ..devices.checks import NOTHING, set_of
 from ..devices.codes import READ, SAVE, WRITE
 from ..devices.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference_on
@@ -161,8 +161,8 @@ def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
     if p.reserved:
         return [int(p.default or 0)]
     if source == PORTS and profile.ports:
-        with_rate = [port for port in profile.ports if port.baud_rates and rules.effect == "baud_rate"]
-        return [port.id for port in with_rate or profile.ports if port.id is not None]
+        ports = _with_baud_rates(profile) if rules.effect == "baud_rate" else profile.ports
+        return [port.id for port in ports if port.id is not None]
     names = value_names(p, profile)
     if names:
         values = [v for v in names if v != everything]
@@ -179,6 +179,14 @@ def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
     if source == DATA_SETS and data_sets(profile):
         values = [v for v in values if translate.get(v, v) in data_sets(profile)]
     return values
+
+
+def _with_baud_rates(profile: Device) -> Sequence[Port]:
+    """Returns the ports whose baud rate can be set; all, if no rates are known. Beside ports with rates, Main without
+    rates is one of these by a second name; the rates of others may only be unknown."""
+    if not any(port.baud_rates for port in profile.ports):
+        return profile.ports
+    return [port for port in profile.ports if port.baud_rates or not port.name.startswith(("USB", "Main"))]
 
 
 def value_names(p: Parameter, profile: Device) -> dict[int, str]:

@@ -129,9 +129,11 @@ def _element(p: Parameter, value: Any, record: Structure, differs: Difference, r
 
 
 def _named(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any) -> bool:
-    """Is the value defined, if the parameter is an enumeration?"""
+    """Is the value defined, if the parameter is an enumeration, or a bitfield of which the device has some bits?"""
     if differs.values is not None:
         return value in differs.values
+    if differs.bits is not None:
+        return not value & ~differs.bits
     kind = p.type or p.of(record).type or reading
     if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
         return True

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import reduce
+from operator import or_
 from typing import Any
 
 from ..binding import Field, Parameter, data, info
@@ -61,6 +64,7 @@ class Difference:
     minimum: float | None = None
     maximum: float | None = None
     values: frozenset[int] | None = None  # the only values that the device has
+    bits: int | None = None  # the only bits that the device has
     constant: int | None = None
 
 
@@ -73,7 +77,14 @@ def difference_on(p: Parameter, device: str) -> Difference:
             only, kind = v.changes.get("only", ()), v.changes.get("type", p.type)
             if only and issubclass(kind, IntEnum):
                 changes["values"] = frozenset(x.value for x in info(kind).values if x.name in only)
+            elif only:
+                changes["bits"] = mask_of(kind, only)
     return Difference(**changes)
+
+
+def mask_of(kind: Any, only: Container[str]) -> int:
+    """Returns the mask of the bits with these names."""
+    return reduce(or_, (b.mask for b in info(kind).bits if b.name in only), 0)
 
 
 def _tuples(value: Any) -> Any:

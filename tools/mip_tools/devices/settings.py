@@ -155,6 +155,8 @@ class Settings:
                 default = behavior.initial.get(p.name, p.default) if here.default is None else here.default
                 if isinstance(default, tuple) and isinstance(p.type, type) and issubclass(p.type, IntEnum):
                     default = next((x for x in default if not here.values or x in here.values), None)
+                elif default is not None and here.bits is not None:
+                    default &= here.bits
                 values[p.attribute] = filled(p, values, default, here.values)
         return _write(kind, values)
 
