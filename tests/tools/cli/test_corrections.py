@@ -142,6 +142,9 @@ def test_devices_that_cannot_use_them(caster: Caster) -> None:
     with simulated(device="3dm-cv7-ar") as place:
         error = "mip corrections: 3DM-CV7-AR has no GNSS receiver, so it cannot use corrections\n"
         assert mip("corrections", f"{caster.place}/V1", place) == (1, "", error)
+    with simulated(device="3dm-gx5-45") as place:
+        error = "3DM-GX5-45 has no 3dm.poll_data to read its fix, and is not known to receive RTCM 3\n"
+        assert mip("corrections", f"{caster.place}/V1", place) == (1, "", f"mip corrections: {error}")
     with simulated() as place:
         for port in ("main", "uart_1", "usb_1"):
             assert mip("send", place, "system.interface_control", "write", port, "mip", "mip")[0] == 0

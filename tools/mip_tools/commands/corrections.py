@@ -108,13 +108,16 @@ class _Feed:
         self._seen = b""  # the last bytes of the stream
 
     def check(self, model: str | None) -> None:
-        """Raises Failure if the device has no receiver; says if none of its ports receives RTCM."""
+        """Raises Failure if the device cannot use corrections; says if none of its ports receives RTCM."""
         profile = DEVICES.get(model or "")
         why = profile and profile.why(self._fix.set, self._fix.kind.DESCRIPTOR)
         if profile is None:
             return
         if why and why.absence:
             raise Failure(f"{profile.title} {why.absence}, so it cannot use corrections")
+        if not profile.has(self._question.SET, self._question.DESCRIPTOR):
+            name = self._question.NAME
+            raise Failure(f"{profile.title} has no {name} to read its fix, and is not known to receive RTCM 3")
         control, ways = command_type("system.interface_control"), []
         for port in profile.ports:
             with suppress(MipError):
