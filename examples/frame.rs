@@ -6,7 +6,7 @@ use std::error::Error;
 use mip_protocol::base;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let place = std::env::args().nth(1).ok_or("usage: program serial:PORT | tcp:HOST:PORT")?;
+    let place = std::env::args().nth(1).ok_or("usage: program PORT | HOST:PORT")?;
     let mut device = mip_protocol::open(&place)?; // finds the baud rate, and stops other data
     // 2. the other lines of the page
     device.request(&base::Ping::new())?;

@@ -11,7 +11,7 @@ use mip_protocol::sensor;
 const FIELD: (DescriptorSet, u8) = (DescriptorSet(0x80), 0x04);
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let place = std::env::args().nth(1).ok_or("usage: program serial:PORT | tcp:HOST:PORT")?;
+    let place = std::env::args().nth(1).ok_or("usage: program PORT | HOST:PORT")?;
     let mut device = mip_protocol::open(&place)?; // finds the baud rate, and stops other data
     device.stream(FIELD.0, &[Rate::of_descriptor(FIELD.1, 1.0)])?; // 1 Hz
     while let Some(packet) = device.next_packet(5000)? {

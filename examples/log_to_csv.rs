@@ -10,7 +10,14 @@ use mip_protocol::time::{Clock, Times, Utc};
 use mip_protocol::types::Vector3f;
 use mip_protocol::{sensor, PacketReader};
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() {
+    if let Err(error) = run() {
+        eprintln!("log_to_csv: {error}");
+        std::process::exit(1);
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: log_to_csv LOG")?;
     let mut packets = PacketReader::new(File::open(path)?);
     let mut times = Times::new();
@@ -20,9 +27,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         "time,time_device,accel_x_g,accel_y_g,accel_z_g,gyro_x_rad_s,gyro_y_rad_s,gyro_z_rad_s"
     )?;
     while let Some(packet) = packets.next_packet()? {
-        // A date in UTC if the device has one, otherwise the seconds since power-on.
+        // A date in UTC if the device has one, and the seconds since power-on by either clock for them.
         let date = times.read(&packet, Clock::Gps).map(|time| Utc::from_gps(time).to_string());
-        let seconds = times.read(&packet, Clock::Device).map(|time| time as f64 / 1e9);
+        let mut clocks = [Clock::Reference, Clock::Device].into_iter();
+        let seconds = clocks.find_map(|clock| times.read(&packet, clock));
+        let seconds = seconds.map(|time| time as f64 / 1e9);
         // Columns of absent fields stay empty; a malformed field is an error.
         let accel = packet.find::<sensor::ScaledAccel>()?;
         let gyro = packet.find::<sensor::ScaledGyro>()?;

@@ -9,7 +9,14 @@ use std::io::{stdout, BufWriter, Write};
 use mip_protocol::{AnyField, FieldLengthError, PacketReader, RawField};
 use serde_json::json;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() {
+    if let Err(error) = run() {
+        eprintln!("json: {error}");
+        std::process::exit(1);
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("usage: json LOG")?;
     let mut packets = PacketReader::new(File::open(path)?);
     let mut lines = BufWriter::new(stdout().lock());

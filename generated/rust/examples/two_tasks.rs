@@ -9,7 +9,14 @@ use mip_protocol::sensor::{self, ScaledAccel};
 use mip_protocol::session::Rate;
 
 #[tokio::main]
-async fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
+async fn main() {
+    if let Err(error) = run().await {
+        eprintln!("two_tasks: {error}");
+        std::process::exit(1);
+    }
+}
+
+async fn run() -> Result<(), Box<dyn Error + Send + Sync>> {
     let place = std::env::args().nth(1).ok_or("usage: two_tasks PORT | HOST:PORT")?;
     let mut device = mip_protocol::open_async(&place).await?; // finds the baud rate
     device.stream(sensor::SET, &[Rate::of::<ScaledAccel>(100.0)]).await?;
@@ -23,6 +30,7 @@ async fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
         }
         Ok::<_, Box<dyn Error + Send + Sync>>(())
     });
-    println!("{}", commands.request(&GetDeviceInfo::new()).await?.device_info.model_name);
+    let info = commands.request(&GetDeviceInfo::new()).await?.device_info;
+    println!("{}", info.model_name.to_string().trim()); // some devices pad it in front
     reader.await?
 }
