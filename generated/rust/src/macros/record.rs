@@ -209,6 +209,25 @@ macro_rules! constructor {
     };
 }
 
+/// Converts a response to the command that writes its values.
+#[allow(unused_macros)] // if no response has them all
+macro_rules! change {
+    ($response:ident -> $call:ident $name:ident [$($member:ident)+] $($set:ident: $value:expr,)*) => {
+        /// The command that writes these values, to read, change and write them.
+        impl ::core::convert::From<$response> for $crate::protocol::$call<$name> {
+            #[inline]
+            #[allow(clippy::needless_update)]
+            fn from($response { $($member,)+ .. }: $response) -> Self {
+                Self::of($name {
+                    $($set: Some($value),)*
+                    $($member: Some($member),)+
+                    ..$name::bare(Self::FUNCTION)
+                })
+            }
+        }
+    };
+}
+
 /// Converts a tuple of all values to a structure.
 macro_rules! tuple {
     ($name:ident $($member:ident: $type:ty),+) => {

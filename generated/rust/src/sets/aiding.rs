@@ -246,6 +246,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    FrameConfigResponse -> WriteCall FrameConfig
+    [frame_id tracking_enabled translation rotation] format: rotation.tag(),
+}
+
 record! {
     /// Sensor frame map (0x13,0x02).
     ///
@@ -318,6 +323,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    SensorFrameMapResponse -> WriteCall SensorFrameMap
+    [sensor_id frame_id]
+}
+
 record! {
     /// Echo control (0x13,0x1F).
     ///
@@ -377,6 +387,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> EchoControlResponse;
     responds EchoControlResponse for READ;
+}
+
+change! {
+    EchoControlResponse -> WriteCall EchoControl
+    [mode]
 }
 
 record! {

@@ -472,6 +472,11 @@ command! {
     responds CommSpeedResponse for READ;
 }
 
+change! {
+    CommSpeedResponse -> WriteCall CommSpeed
+    [port baud]
+}
+
 record! {
     /// GPS time update (0x01,0x72).
     ///

@@ -616,6 +616,11 @@ command! {
     responds VehicleDynamicsModeResponse for READ;
 }
 
+change! {
+    VehicleDynamicsModeResponse -> WriteCall VehicleDynamicsMode
+    [mode]
+}
+
 record! {
     /// Sensor to vehicle frame transformation (0x0D,0x11).
     ///
@@ -714,6 +719,11 @@ command! {
     responds SensorToVehicleRotationEulerResponse for READ;
 }
 
+change! {
+    SensorToVehicleRotationEulerResponse -> WriteCall SensorToVehicleRotationEuler
+    [roll pitch yaw]
+}
+
 record! {
     /// Sensor to vehicle offset (0x0D,0x12).
     ///
@@ -775,6 +785,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SensorToVehicleOffsetResponse;
     responds SensorToVehicleOffsetResponse for READ;
+}
+
+change! {
+    SensorToVehicleOffsetResponse -> WriteCall SensorToVehicleOffset
+    [offset]
 }
 
 record! {
@@ -846,6 +861,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AntennaOffsetResponse;
     responds AntennaOffsetResponse for READ;
+}
+
+change! {
+    AntennaOffsetResponse -> WriteCall AntennaOffset
+    [offset]
 }
 
 record! {
@@ -935,6 +955,11 @@ command! {
     responds EstimationControlResponse for READ;
 }
 
+change! {
+    EstimationControlResponse -> WriteCall EstimationControl
+    [flags]
+}
+
 record! {
     /// GNSS aiding source (0x0D,0x15).
     ///
@@ -1009,6 +1034,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GnssSourceResponse;
     responds GnssSourceResponse for READ;
+}
+
+change! {
+    GnssSourceResponse -> WriteCall GnssSource
+    [source]
 }
 
 record! {
@@ -1240,6 +1270,11 @@ command! {
     responds HeadingSourceResponse for READ;
 }
 
+change! {
+    HeadingSourceResponse -> WriteCall HeadingSource
+    [source]
+}
+
 record! {
     /// Automatic initialization (0x0D,0x19).
     ///
@@ -1305,6 +1340,11 @@ command! {
     for READ -> AutoInitializationControlResponse;
     responds AutoInitializationControlResponse for READ;
     checks Ranged;
+}
+
+change! {
+    AutoInitializationControlResponse -> WriteCall AutoInitializationControl
+    [enable]
 }
 
 record! {
@@ -1381,6 +1421,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    AccelNoiseResponse -> WriteCall AccelNoise
+    [noise]
+}
+
 record! {
     /// Gyroscope noise (0x0D,0x1B).
     ///
@@ -1450,6 +1495,11 @@ command! {
     for READ -> GyroNoiseResponse;
     responds GyroNoiseResponse for READ;
     checks Ranged;
+}
+
+change! {
+    GyroNoiseResponse -> WriteCall GyroNoise
+    [noise]
 }
 
 record! {
@@ -1524,6 +1574,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    AccelBiasModelResponse -> WriteCall AccelBiasModel
+    [beta noise]
+}
+
 record! {
     /// Gyroscope bias model (0x0D,0x1D).
     ///
@@ -1595,6 +1650,11 @@ command! {
     for READ -> GyroBiasModelResponse;
     responds GyroBiasModelResponse for READ;
     checks Ranged;
+}
+
+change! {
+    GyroBiasModelResponse -> WriteCall GyroBiasModel
+    [beta noise]
 }
 
 record! {
@@ -1674,6 +1734,11 @@ command! {
     for READ -> AutoZuptResponse;
     responds AutoZuptResponse for READ;
     checks Ranged;
+}
+
+change! {
+    AutoZuptResponse -> WriteCall AutoZupt
+    [enable threshold]
 }
 
 record! {
@@ -1842,6 +1907,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    AutoAngularZuptResponse -> WriteCall AutoAngularZupt
+    [enable threshold]
+}
+
 record! {
     /// Tare orientation (0x0D,0x21).
     ///
@@ -1919,6 +1989,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> TareOrientationResponse;
     responds TareOrientationResponse for READ;
+}
+
+change! {
+    TareOrientationResponse -> WriteCall TareOrientation
+    [axes]
 }
 
 record! {
@@ -2088,6 +2163,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    ReferencePositionResponse -> WriteCall ReferencePosition
+    [enable latitude longitude altitude]
+}
+
 record! {
     /// Capture automatic magnetometer calibration (0x0D,0x27).
     ///
@@ -2210,6 +2290,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    GravityNoiseResponse -> WriteCall GravityNoise
+    [noise]
+}
+
 record! {
     /// Pressure altitude noise (0x0D,0x29).
     ///
@@ -2280,6 +2365,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    PressureAltitudeNoiseResponse -> WriteCall PressureAltitudeNoise
+    [noise]
+}
+
 record! {
     /// Hard iron offset noise (0x0D,0x2B).
     ///
@@ -2345,6 +2435,11 @@ command! {
     for READ -> HardIronOffsetNoiseResponse;
     responds HardIronOffsetNoiseResponse for READ;
     checks Ranged;
+}
+
+change! {
+    HardIronOffsetNoiseResponse -> WriteCall HardIronOffsetNoise
+    [noise]
 }
 
 record! {
@@ -2414,6 +2509,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    SoftIronMatrixNoiseResponse -> WriteCall SoftIronMatrixNoise
+    [noise]
+}
+
 record! {
     /// Enable or disable measurements (0x0D,0x41).
     ///
@@ -2477,6 +2577,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> EnableMeasurementsResponse;
     responds EnableMeasurementsResponse for READ;
+}
+
+change! {
+    EnableMeasurementsResponse -> WriteCall EnableMeasurements
+    [control]
 }
 
 record! {
@@ -2546,6 +2651,11 @@ command! {
     for READ -> MagNoiseResponse;
     responds MagNoiseResponse for READ;
     checks Ranged;
+}
+
+change! {
+    MagNoiseResponse -> WriteCall MagNoise
+    [noise]
 }
 
 record! {
@@ -2631,6 +2741,11 @@ command! {
     for READ -> MagneticDeclinationSourceResponse;
     responds MagneticDeclinationSourceResponse for READ;
     checks Ranged;
+}
+
+change! {
+    MagneticDeclinationSourceResponse -> WriteCall MagneticDeclinationSource
+    [source declination]
 }
 
 record! {
@@ -2762,6 +2877,11 @@ command! {
     for READ -> AccelMagnitudeErrorAdaptiveMeasurementResponse;
     responds AccelMagnitudeErrorAdaptiveMeasurementResponse for READ;
     checks Ranged;
+}
+
+change! {
+    AccelMagnitudeErrorAdaptiveMeasurementResponse -> WriteCall AccelMagnitudeErrorAdaptiveMeasurement
+    [adaptive_measurement]
 }
 
 record! {
@@ -2903,6 +3023,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    MagMagnitudeErrorAdaptiveMeasurementResponse -> WriteCall MagMagnitudeErrorAdaptiveMeasurement
+    [adaptive_measurement frequency low_limit high_limit low_limit_uncertainty high_limit_uncertainty minimum_uncertainty]
+}
+
 record! {
     /// Magnetometer dip angle error adaptive measurement (0x0D,0x46).
     ///
@@ -3014,6 +3139,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    MagDipAngleErrorAdaptiveMeasurementResponse -> WriteCall MagDipAngleErrorAdaptiveMeasurement
+    [enable frequency high_limit high_limit_uncertainty minimum_uncertainty]
+}
+
 record! {
     /// Altitude aiding (0x0D,0x47).
     ///
@@ -3077,6 +3207,11 @@ command! {
     responds AltitudeAidingResponse for READ;
 }
 
+change! {
+    AltitudeAidingResponse -> WriteCall AltitudeAiding
+    [selector]
+}
+
 record! {
     /// Pitch and roll aiding (0x0D,0x4B).
     ///
@@ -3138,6 +3273,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> PitchRollAidingResponse;
     responds PitchRollAidingResponse for READ;
+}
+
+change! {
+    PitchRollAidingResponse -> WriteCall PitchRollAiding
+    [aiding]
 }
 
 record! {
@@ -3216,6 +3356,11 @@ command! {
     for READ -> MagneticInclinationSourceResponse;
     responds MagneticInclinationSourceResponse for READ;
     checks Ranged;
+}
+
+change! {
+    MagneticInclinationSourceResponse -> WriteCall MagneticInclinationSource
+    [source inclination]
 }
 
 record! {
@@ -3297,6 +3442,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    MagneticMagnitudeSourceResponse -> WriteCall MagneticMagnitudeSource
+    [source magnitude]
+}
+
 record! {
     /// Sensor to vehicle rotation, matrix (0x0D,0x4E).
     ///
@@ -3375,6 +3525,11 @@ command! {
     responds SensorToVehicleRotationDcmResponse for READ;
 }
 
+change! {
+    SensorToVehicleRotationDcmResponse -> WriteCall SensorToVehicleRotationDcm
+    [dcm]
+}
+
 record! {
     /// Sensor to vehicle rotation, quaternion (0x0D,0x4F).
     ///
@@ -3450,6 +3605,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SensorToVehicleRotationQuaternionResponse;
     responds SensorToVehicleRotationQuaternionResponse for READ;
+}
+
+change! {
+    SensorToVehicleRotationQuaternionResponse -> WriteCall SensorToVehicleRotationQuaternion
+    [q]
 }
 
 record! {
@@ -3531,6 +3691,11 @@ command! {
     responds AidingMeasurementEnableResponse for READ;
 }
 
+change! {
+    AidingMeasurementEnableResponse -> WriteCall AidingMeasurementEnable
+    [aiding_source enable]
+}
+
 record! {
     /// Kinematic constraint (0x0D,0x51).
     ///
@@ -3609,6 +3774,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> KinematicConstraintResponse;
     responds KinematicConstraintResponse for READ;
+}
+
+change! {
+    KinematicConstraintResponse -> WriteCall KinematicConstraint
+    [accel_constraint velocity_constraint angular_constraint]
 }
 
 record! {
@@ -3763,6 +3933,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    InitializationConfigResponse -> WriteCall InitializationConfig
+    [wait_for_run_command initial_condition_source auto_heading_alignment_selector initial_heading initial_pitch initial_roll initial_position initial_velocity reference_frame_selector]
+}
+
 record! {
     /// Adaptive filter control (0x0D,0x53).
     ///
@@ -3826,6 +4001,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> AdaptiveFilterOptionsResponse;
     responds AdaptiveFilterOptionsResponse for READ;
+}
+
+change! {
+    AdaptiveFilterOptionsResponse -> WriteCall AdaptiveFilterOptions
+    [level time_limit]
 }
 
 record! {
@@ -3907,6 +4087,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    MultiAntennaOffsetResponse -> WriteCall MultiAntennaOffset
+    [receiver_id antenna_offset]
+}
+
 record! {
     /// Relative position configuration (0x0D,0x55).
     ///
@@ -3985,6 +4170,11 @@ command! {
     responds RelativePositionConfigResponse for READ;
 }
 
+change! {
+    RelativePositionConfigResponse -> WriteCall RelativePositionConfig
+    [source reference_frame_selector reference_coordinates]
+}
+
 record! {
     /// Reference point lever arm (0x0D,0x56).
     ///
@@ -4055,6 +4245,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ReferencePointLeverArmResponse;
     responds ReferencePointLeverArmResponse for READ;
+}
+
+change! {
+    ReferencePointLeverArmResponse -> WriteCall ReferencePointLeverArm
+    [reference_point lever_arm_offset]
 }
 
 record! {
@@ -4200,6 +4395,11 @@ command! {
     responds SpeedLeverArmResponse for READ;
 }
 
+change! {
+    SpeedLeverArmResponse -> WriteCall SpeedLeverArm
+    [lever_arm_offset] source: 1,
+}
+
 record! {
     /// Vertical gyro constraint (0x0D,0x62).
     ///
@@ -4268,6 +4468,11 @@ command! {
     for READ -> VerticalGyroConstraintControlResponse;
     responds VerticalGyroConstraintControlResponse for READ;
     checks Ranged;
+}
+
+change! {
+    VerticalGyroConstraintControlResponse -> WriteCall VerticalGyroConstraintControl
+    [enable]
 }
 
 record! {
@@ -4340,6 +4545,11 @@ command! {
     for READ -> WheeledVehicleConstraintControlResponse;
     responds WheeledVehicleConstraintControlResponse for READ;
     checks Ranged;
+}
+
+change! {
+    WheeledVehicleConstraintControlResponse -> WriteCall WheeledVehicleConstraintControl
+    [enable]
 }
 
 record! {
@@ -4417,6 +4627,11 @@ command! {
     for READ -> GnssAntennaCalibrationControlResponse;
     responds GnssAntennaCalibrationControlResponse for READ;
     checks Ranged;
+}
+
+change! {
+    GnssAntennaCalibrationControlResponse -> WriteCall GnssAntennaCalibrationControl
+    [enable max_offset]
 }
 
 record! {

@@ -303,6 +303,11 @@ command! {
     responds SignalConfigResponse for READ;
 }
 
+change! {
+    SignalConfigResponse -> WriteCall SignalConfig
+    [gps_enable glonass_enable galileo_enable beidou_enable] reserved: [0; 4],
+}
+
 record! {
     /// Receiver reset (0x0E,0x03).
     ///
@@ -407,6 +412,11 @@ command! {
     responds RtkConfigResponse for READ;
 }
 
+change! {
+    RtkConfigResponse -> WriteCall RtkConfig
+    [ambiguity_fix_mode] reserved: [0; 4],
+}
+
 record! {
     /// RTK dongle configuration (0x0E,0x10).
     ///
@@ -474,6 +484,11 @@ command! {
     for READ -> RtkDongleConfigResponse;
     responds RtkDongleConfigResponse for READ;
     checks Ranged;
+}
+
+change! {
+    RtkDongleConfigResponse -> WriteCall RtkDongleConfig
+    [enable] reserved: [0; 3],
 }
 
 record! {
@@ -593,6 +608,11 @@ command! {
     for READ -> SpartnConfigResponse;
     responds SpartnConfigResponse for READ;
     checks Ranged;
+}
+
+change! {
+    SpartnConfigResponse -> WriteCall SpartnConfig
+    [enable type_ current_key_tow current_key_week current_key next_key_tow next_key_week next_key]
 }
 
 record! {

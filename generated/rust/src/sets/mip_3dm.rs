@@ -1166,6 +1166,11 @@ command! {
     responds NmeaMessageFormatResponse for READ;
 }
 
+change! {
+    NmeaMessageFormatResponse -> WriteCall NmeaMessageFormat
+    [format_entries]
+}
+
 record! {
     /// Poll data (0x0C,0x0D).
     ///
@@ -1355,6 +1360,11 @@ command! {
     for READ -> MessageFormatResponse;
     responds MessageFormatResponse for READ;
     checks Ranged;
+}
+
+change! {
+    MessageFormatResponse -> WriteCall MessageFormat
+    [descriptor_set descriptors]
 }
 
 record! {
@@ -1725,6 +1735,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    GnssSbasSettingsResponse -> WriteCall GnssSbasSettings
+    [enable_sbas sbas_options included_prns]
+}
+
 record! {
     /// GNSS assisted fix (0x0C,0x23).
     ///
@@ -1795,6 +1810,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GnssAssistedFixResponse;
     responds GnssAssistedFixResponse for READ;
+}
+
+change! {
+    GnssAssistedFixResponse -> WriteCall GnssAssistedFix
+    [option] flags: 255,
 }
 
 record! {
@@ -1871,6 +1891,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    GnssTimeAssistanceResponse -> WriteCall GnssTimeAssistance
+    [tow week_number accuracy]
+}
+
 record! {
     /// PPS source control (0x0C,0x28).
     ///
@@ -1944,6 +1969,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> PpsSourceControlResponse;
     responds PpsSourceControlResponse for READ;
+}
+
+change! {
+    PpsSourceControlResponse -> WriteCall PpsSourceControl
+    [source]
 }
 
 record! {
@@ -2043,6 +2073,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> EventControlResponse;
     responds EventControlResponse for READ;
+}
+
+change! {
+    EventControlResponse -> WriteCall EventControl
+    [instance mode]
 }
 
 record! {
@@ -2236,6 +2271,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    EventTriggerConfigResponse -> WriteCall EventTriggerConfig
+    [instance parameters] type_: parameters.tag(),
+}
+
 record! {
     /// Event action configuration (0x0C,0x2F).
     ///
@@ -2351,6 +2391,11 @@ command! {
     for READ -> EventActionConfigResponse;
     responds EventActionConfigResponse for READ;
     checks Ranged;
+}
+
+change! {
+    EventActionConfigResponse -> WriteCall EventActionConfig
+    [instance trigger parameters] type_: parameters.tag(),
 }
 
 record! {
@@ -2509,6 +2554,11 @@ command! {
     responds SensorToVehicleTransformEulerResponse for READ;
 }
 
+change! {
+    SensorToVehicleTransformEulerResponse -> WriteCall SensorToVehicleTransformEuler
+    [roll pitch yaw]
+}
+
 record! {
     /// Sensor-to-vehicle frame transformation quaternion (0x0C,0x32).
     ///
@@ -2591,6 +2641,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SensorToVehicleTransformQuaternionResponse;
     responds SensorToVehicleTransformQuaternionResponse for READ;
+}
+
+change! {
+    SensorToVehicleTransformQuaternionResponse -> WriteCall SensorToVehicleTransformQuaternion
+    [q]
 }
 
 record! {
@@ -2677,6 +2732,11 @@ command! {
     responds SensorToVehicleTransformDcmResponse for READ;
 }
 
+change! {
+    SensorToVehicleTransformDcmResponse -> WriteCall SensorToVehicleTransformDcm
+    [dcm]
+}
+
 record! {
     /// GPS dynamics mode (0x0C,0x34).
     ///
@@ -2736,6 +2796,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> GpsDynamicsModeResponse;
     responds GpsDynamicsModeResponse for READ;
+}
+
+change! {
+    GpsDynamicsModeResponse -> WriteCall GpsDynamicsMode
+    [mode]
 }
 
 record! {
@@ -2867,6 +2932,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    ImuSignalConditioningResponse -> WriteCall ImuSignalConditioning
+    [orientation_decimation data_conditioning_flags inertial_filter_width mag_filter_width up_compensation north_compensation mag_bandwidth] reserved: 0,
+}
+
 record! {
     /// IMU timestamp (0x0C,0x36).
     ///
@@ -2917,6 +2987,11 @@ command! {
     for WRITE -> ();
     for READ -> ImuTimestampResponse;
     responds ImuTimestampResponse for READ;
+}
+
+change! {
+    ImuTimestampResponse -> WriteCall ImuTimestamp
+    [selector time]
 }
 
 record! {
@@ -2990,6 +3065,11 @@ command! {
     for READ -> AccelBiasResponse;
     responds AccelBiasResponse for READ;
     silent for APPLY;
+}
+
+change! {
+    AccelBiasResponse -> WriteCall AccelBias
+    [bias]
 }
 
 record! {
@@ -3071,6 +3151,11 @@ command! {
     for READ -> GyroBiasResponse;
     responds GyroBiasResponse for READ;
     silent for APPLY;
+}
+
+change! {
+    GyroBiasResponse -> WriteCall GyroBias
+    [bias]
 }
 
 record! {
@@ -3212,6 +3297,11 @@ command! {
     silent for APPLY;
 }
 
+change! {
+    MagHardIronOffsetResponse -> WriteCall MagHardIronOffset
+    [offset]
+}
+
 record! {
     /// Magnetometer soft iron matrix (0x0C,0x3B).
     ///
@@ -3295,6 +3385,11 @@ command! {
     silent for APPLY;
 }
 
+change! {
+    MagSoftIronMatrixResponse -> WriteCall MagSoftIronMatrix
+    [matrix]
+}
+
 record! {
     /// Coning and sculling enable (0x0C,0x3E).
     ///
@@ -3354,6 +3449,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ConingScullingEnableResponse;
     responds ConingScullingEnableResponse for READ;
+}
+
+change! {
+    ConingScullingEnableResponse -> WriteCall ConingScullingEnable
+    [enable]
 }
 
 record! {
@@ -3425,6 +3525,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> UartBaudRateResponse;
     responds UartBaudRateResponse for READ;
+}
+
+change! {
+    UartBaudRateResponse -> WriteCall UartBaudRate
+    [baud]
 }
 
 record! {
@@ -3593,6 +3698,11 @@ command! {
     responds GpioConfigResponse for READ;
 }
 
+change! {
+    GpioConfigResponse -> WriteCall GpioConfig
+    [pin feature behavior pin_mode]
+}
+
 record! {
     /// GPIO state (0x0C,0x42).
     ///
@@ -3658,6 +3768,11 @@ command! {
     for READ -> GpioStateResponse;
     responds GpioStateResponse for READ;
     checks Ranged;
+}
+
+change! {
+    GpioStateResponse -> WriteCall GpioState
+    [pin state]
 }
 
 record! {
@@ -3740,6 +3855,11 @@ command! {
     for READ -> OdometerConfigResponse;
     responds OdometerConfigResponse for READ;
     checks Ranged;
+}
+
+change! {
+    OdometerConfigResponse -> WriteCall OdometerConfig
+    [mode scaling uncertainty]
 }
 
 record! {
@@ -3845,6 +3965,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> ImuLowPassFilterResponse;
     responds ImuLowPassFilterResponse for READ;
+}
+
+change! {
+    ImuLowPassFilterResponse -> WriteCall ImuLowPassFilter
+    [target_descriptor enable manual frequency] reserved: 0,
 }
 
 record! {
@@ -3955,6 +4080,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    ComplementaryFilterResponse -> WriteCall ComplementaryFilter
+    [pitch_roll_enable heading_enable pitch_roll_time_constant heading_time_constant]
+}
+
 record! {
     /// Sensor range (0x0C,0x52).
     ///
@@ -4023,6 +4153,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> SensorRangeResponse;
     responds SensorRangeResponse for READ;
+}
+
+change! {
+    SensorRangeResponse -> WriteCall SensorRange
+    [sensor setting]
 }
 
 record! {
@@ -4166,6 +4301,11 @@ command! {
     checks Ranged;
 }
 
+change! {
+    LowPassFilterResponse -> WriteCall LowPassFilter
+    [descriptor_set field_descriptor enable manual frequency]
+}
+
 record! {
     /// Data stream format (0x0C,0x60).
     ///
@@ -4230,6 +4370,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> DataStreamFormatResponse;
     responds DataStreamFormatResponse for READ;
+}
+
+change! {
+    DataStreamFormatResponse -> WriteCall DataStreamFormat
+    [stream format]
 }
 
 record! {
@@ -4300,6 +4445,11 @@ command! {
     for READ -> DevicePowerStateResponse;
     responds DevicePowerStateResponse for READ;
     timeout 5000;
+}
+
+change! {
+    DevicePowerStateResponse -> WriteCall DevicePowerState
+    [device state]
 }
 
 record! {

@@ -278,6 +278,11 @@ command! {
     responds ConnectedDeviceTypeResponse for READ;
 }
 
+change! {
+    ConnectedDeviceTypeResponse -> WriteCall ConnectedDeviceType
+    [device_type]
+}
+
 record! {
     /// Get activation code (0x0F,0x07).
     ///

@@ -128,6 +128,11 @@ command! {
     responds InterfaceControlResponse for READ;
 }
 
+change! {
+    InterfaceControlResponse -> WriteCall InterfaceControl
+    [port protocols_incoming protocols_outgoing]
+}
+
 record! {
     /// Communication mode (0x7F,0x10).
     ///
@@ -196,6 +201,11 @@ command! {
     for WRITE SAVE LOAD DEFAULT -> ();
     for READ -> CommModeResponse;
     responds CommModeResponse for READ;
+}
+
+change! {
+    CommModeResponse -> WriteCall CommMode
+    [mode]
 }
 
 record! {

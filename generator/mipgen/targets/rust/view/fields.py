@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from mipgen import model as m
 
 from .. import docs, names
-from .records import BOOL, Member, Record, derives
+from .records import BOOL, Constructor, Member, Record, derives
 
 #: Parameters, each with those inside.
 Tree = list[tuple[m.Parameter, "Tree"]]
@@ -98,6 +98,17 @@ class Field(Record):
             [(names.response_variant(r, f), self.crate.record(r)) for r in responses],
             [name for name in ("Copy", "Eq", "Hash") if all(name in traits for traits in derived)],
         )
+
+    @property
+    def changing(self) -> tuple[str, Constructor] | None:
+        """The response that contains all values of the command, and the constructor that writes them."""
+        way = next((w for w in self.constructors if w.function and w.function.sets and w.arguments), None)
+        responses = self.crate.model.responses(self.of)
+        if way is None or [r.command for r in responses] != [self.of.name]:
+            return None
+        response = self.crate.record(responses[0])
+        types = {x.name: x.whole_type for x in response.members}
+        return (response.name, way) if all(types.get(x.name) == x.type for x in way.arguments) else None
 
     def _answers(self, response: str) -> Iterator[str]:
         f = self.of
