@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use std::convert::Infallible;
 
 use mip_protocol::device::{DeviceError, Port};
-use mip_protocol::protocol::AckCode;
+use mip_protocol::protocol::{AckCode, WriteCall};
 use mip_protocol::session::{Rate, StreamError, BAUD_RATES};
 use mip_protocol::{
     base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, DescriptorSet, Packet,
@@ -366,6 +366,9 @@ fn a_rate_that_the_device_lacks_changes_nothing() {
         };
         assert_eq!((descriptor, nearest, base), (4, next, 1000));
         assert_eq!(device.port().commands(), [0x0C0E]);
+        if hz == 0.0 {
+            assert!(error.to_string().ends_with(" 0 Hz: for the highest rate, use Rate::fastest"));
+        }
         if hz == 70.0 {
             let said =
                 "sensor.scaled_accel at 70 Hz: not a rate of the device; nearest: 71.42857 Hz, \
@@ -377,6 +380,31 @@ fn a_rate_that_the_device_lacks_changes_nothing() {
             );
         }
     }
+}
+
+#[test]
+fn data_of_the_earlier_format_is_discarded() {
+    let mut device = device(115_200);
+    for set in [0x80, 0x82, 0x80] {
+        device.port_mut().coming.extend(packet(set, &[3, 0x7F, 1]));
+    }
+    device.stream(sensor::SET, &[Rate::of::<sensor::ScaledAccel>(10.0)]).unwrap();
+    assert_eq!(device.next_packet(10).unwrap().map(|packet| packet.set().0), Some(0x82));
+    assert!(device.next_packet(10).unwrap().is_none());
+}
+
+#[test]
+fn a_response_becomes_the_command_that_writes_it() {
+    let trigger = mip_3dm::EventTriggerConfigResponse {
+        instance: 3,
+        parameters: mip_3dm::EventTriggerConfigParameters::Gpio(Default::default()),
+        ..Default::default()
+    };
+    let command = WriteCall::from(trigger.clone());
+    assert_eq!(command, mip_3dm::EventTriggerConfig::write(3, trigger.parameters));
+    let disabled = mip_3dm::GnssAssistedFixResponse::default();
+    let option = disabled.option; // a reserved value follows
+    assert_eq!(WriteCall::from(disabled), mip_3dm::GnssAssistedFix::write(option));
 }
 
 #[test]

@@ -406,6 +406,19 @@ impl<const Q: usize> Queue<Q> {
         all.get(..size).map(Packet::trusted)
     }
 
+    #[cfg(feature = "std")]
+    #[allow(dead_code)] // without the features of command sets
+    fn discard(&mut self, set: DescriptorSet) {
+        let mut others = std::vec::Vec::new();
+        while let Some(packet) = self.pop() {
+            if packet.set() != set {
+                others.extend_from_slice(packet.bytes());
+            }
+        }
+        copy(self.bytes.get_mut(..others.len()).unwrap_or_default(), &others);
+        (self.start, self.end) = (0, others.len());
+    }
+
     const fn len(&self) -> usize {
         self.end.wrapping_sub(self.start)
     }
@@ -706,6 +719,13 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     #[allow(dead_code)] // without the features of command sets
     pub(crate) fn discard(&mut self) {
         while self.core.data.pop().is_some() {}
+    }
+
+    /// Discards the data of a descriptor set that was kept.
+    #[cfg(feature = "std")]
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn discard_set(&mut self, set: DescriptorSet) {
+        self.core.data.discard(set);
     }
 
     /// Receives data for a number of milliseconds, and keeps it.

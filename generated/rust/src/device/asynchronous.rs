@@ -334,6 +334,13 @@ where
         while self.core.data.pop().is_some() {}
     }
 
+    /// Discards the data of a descriptor set that was kept.
+    #[cfg(feature = "std")]
+    #[allow(dead_code)] // without the features of command sets
+    pub(crate) fn discard_set(&mut self, set: DescriptorSet) {
+        self.core.data.discard(set);
+    }
+
     /// Receives data for a number of milliseconds, and keeps it.
     #[allow(dead_code)] // without the features of command sets
     pub(crate) async fn pass(&mut self, wait_ms: u32) -> Result<(), DeviceError<P::Error>> {

@@ -263,6 +263,9 @@ impl<E: fmt::Display> fmt::Display for StreamError<E> {
                 } else {
                     f.write_str(name)?;
                 }
+                if *wanted == 0.0 {
+                    return f.write_str(" at 0 Hz: for the highest rate, use Rate::fastest");
+                }
                 write!(f, " at {wanted} Hz: not a rate of the device; nearest: {nearest} Hz")?;
                 write!(f, ", as it divides {base} Hz by whole numbers")
             }
@@ -423,6 +426,9 @@ $($of)* {
     /// the older commands for the set are used instead. Commands without a reply are repeated. With
     /// the feature `open`, it first asks which model the device is, unless that is known.
     ///
+    /// Packets of the set that were kept have the earlier format: with the feature `std`, they are
+    /// discarded; without it, `next_packet` returns them first.
+    ///
     /// # Errors
     ///
     /// [`StreamError::NoSuchRate`], before any setting is changed; [`StreamError::Rejected`] if the
@@ -518,6 +524,8 @@ $($of)* {
                 break number;
             }
         };
+        #[cfg(feature = "std")] // not on microcontrollers, where it would cost memory
+        self.discard_set(set);
         self.tell::<crate::mip_3dm::DataStreamControl>(&[1, number, 1])$($await)*?;
         self.tell::<crate::base::Resume>(&[])$($await)*?;
         Ok(base)
