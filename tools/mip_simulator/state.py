@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import operator
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -19,6 +21,20 @@ from .world.world import World
 Encoder = Callable[[], list[RawField]]
 
 
+def firmware(profile: Device) -> int:
+    """Returns the version that the device reports: 7000 is 7.0.00."""
+    return 1000 * (profile.generation or 1)
+
+
+def _includes(versions: str | None, version: int) -> bool:
+    """Does a statement of a profile include a version? Of "> 1.0.07", 7000 is one."""
+    match = re.fullmatch(r"([<>]=?) ([0-9]+)\.([0-9]+)\.([0-9]+)", versions or "")
+    if match is None:
+        return True
+    limit = 1000 * int(match[2]) + 100 * int(match[3]) + int(match[4])
+    return {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}[match[1]](version, limit)
+
+
 class DeviceState(ABC):
     """The settings, the world and the connections of a device. Times are in nanoseconds since the start."""
 
@@ -29,7 +45,7 @@ class DeviceState(ABC):
         self.faults = faults
         self.seed = seed
         self.ports = assumed_ports(profile)
-        self.field_keys = profile.fields
+        self.field_keys = {key for key in profile.fields if _includes(profile.firmware.get(key), firmware(profile))}
         self.links: list[Link] = []
         self.outdoors = True  # the receivers receive satellites unless an event prevents it
         self.idle = False

@@ -36,9 +36,10 @@ def said(device_id: str, *answers: Support) -> set[tuple[int, int]]:
 @pytest.mark.parametrize("device_id", IDS)
 def test_what_a_device_lists(device_id: str) -> None:
     probable = {(0x01, 0x04), (0x01, 0x07)} & said(device_id, Support.YES, Support.LIKELY, Support.ASSUMED)
-    assert listed(VirtualDevice(device_id)) == said(device_id, Support.YES, Support.LIKELY, Support.ASSUMED)
+    former = {key for key, versions in devices.DEVICES[device_id].firmware.items() if versions.startswith("<")}
+    assert listed(VirtualDevice(device_id)) == said(device_id, Support.YES, Support.LIKELY, Support.ASSUMED) - former
     if probable <= said(device_id, Support.YES) and (0x01, 0x04) in probable:
-        assert listed(VirtualDevice(certain(devices.DEVICES[device_id]))) == said(device_id, Support.YES)
+        assert listed(VirtualDevice(certain(devices.DEVICES[device_id]))) == said(device_id, Support.YES) - former
 
 
 def test_a_device_that_is_certain_refuses_the_rest() -> None:

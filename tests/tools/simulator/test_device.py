@@ -637,3 +637,12 @@ def test_closed_links_say_so(host: Host) -> None:
         host.link.write(b"x")
     with pytest.raises(Failure, match="has no port 'UART 9'; its ports: Main, UART 1"):
         host.device.connect("UART 9")
+
+
+def test_commands_of_other_firmware_are_unknown() -> None:
+    """It reports 7.0.00, and the 3DM-CV7-AHRS has the older command only up to 1.0.07."""
+    host = Host(VirtualDevice("3dm-cv7-ahrs"))
+    assert host.ok(base.GetDeviceInfo()).device_info.firmware_version == 7000
+    assert host.refused(mip_3dm.ImuLowPassFilter.read(0x04)) == types.AckCode.UNKNOWN_COMMAND
+    listed = {*host.ok(base.GetDeviceDescriptors()).descriptors, *host.ok(base.GetExtendedDescriptors()).descriptors}
+    assert 0x0C54 in listed and 0x0C50 not in listed

@@ -7,7 +7,7 @@ from typing import Any
 
 from mip_tools.devices.profiles import data_sets
 
-from ..state import DeviceState
+from ..state import DeviceState, firmware
 from ..streams import formats, nmea
 from . import ports
 
@@ -142,7 +142,7 @@ def _stream(name: str) -> Quantity:
 
 
 QUANTITIES: dict[str, Quantity] = {
-    "device.firmware_version": lambda device, context: 1000 * (device.profile.generation or 1),
+    "device.firmware_version": lambda device, context: firmware(device.profile),
     "device.model_name": lambda device, context: _padded(device.profile.title),
     "device.model_number": lambda device, context: _number(device, "-4220"),
     "device.serial_number": lambda device, context: _number(device, f".{device.seed % 100000:05d}"),
