@@ -92,9 +92,10 @@ def test_times_of_devices(tmp_path: Path) -> None:
 
 
 def test_readings_by_model_number_are_those_by_id(tmp_path: Path) -> None:
-    devices = [d for d in model("real").devices if d.model_number]
+    numbers = {d.model_number: d.id for d in model("real").devices if d.model_number}
+    numbers |= {d.model_number: d.like for d in model("real").named}
     checks = "".join(
-        f'    CHECK(mip_reading_of_model({d.model_number}) == mip_reading_of("{d.id}"));\n' for d in devices
+        f'    CHECK(mip_reading_of_model({number}) == mip_reading_of("{name}"));\n' for number, name in numbers.items()
     )
     source = f"""#include "check.h"
 #include "mip/connect.h"

@@ -475,7 +475,7 @@ DEVICES: dict[str, tuple[str, ...]] = {
     "demod-dc": ("DEMOD-DC", "Digital Demod", ),
 }
 
-#: Model number -> the id of the device.
+#: Model number -> the id of the device as which its data is read: of `NAMED`, the one most like it.
 MODELS: dict[int, str] = {
     6259: "3dm-cv5-10",
     6258: "3dm-cv5-15",
@@ -515,6 +515,12 @@ MODELS: dict[int, str] = {
     6238: "3dm-rq1-imu",
     6285: "3dm-rtk",
     6130: "demod-dc",
+    6279: "3dm-cx5-10",
+    6280: "3dm-cx5-15",
+    6281: "3dm-cx5-25",
+    6256: "3dm-gx5-45",
+    6272: "3dm-gx5-35",
+    6255: "3dm-cx5-10",
 }
 
 #: Ids of devices of which only the names are known -> the device most like it, title, other names.

@@ -141,7 +141,7 @@ def only_named(name: str) -> UnknownName | None:
 
 
 def model_id(info: Any) -> str | None:
-    """Returns the id of the device that sent this device information; None if it is unknown."""
+    """Returns the id of the device as which the sender of this information is read; None if unknown."""
     from .profile import model_number
 
     return MODELS.get(model_number(info.model_number) or model_number(info.serial_number) or 0)

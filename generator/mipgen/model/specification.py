@@ -51,6 +51,14 @@ class Model:
         return tuple(f for x in self.families for f in x.fields)
 
     @cached_property
+    def read_as(self) -> tuple[tuple[int, str], ...]:
+        """The model numbers, each with the id of the device as which its data is read: of a device of which only the
+        name is known, the one most like it."""
+        ids = {d.id for d in self.devices}
+        named = [(d.model_number, d.like) for d in self.named if d.like in ids]
+        return tuple((n, id_) for n, id_ in [*((d.model_number, d.id) for d in self.devices), *named] if n)
+
+    @cached_property
     def sets(self) -> tuple[Set, ...]:
         """Every descriptor set, by number."""
         return tuple(sorted((s for x in self.families for s in x.sets), key=lambda s: s.number))

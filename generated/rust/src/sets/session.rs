@@ -565,7 +565,8 @@ $($of)* {
 
     /// Asks the device what it is, and returns its profile; `None` if it is newer than this crate.
     ///
-    /// From then on, `fields` reads the flags of times as those of this model.
+    /// From then on, `fields` reads the flags of times as those of this model, or of the one most
+    /// like it if only its name is known.
     ///
     /// # Errors
     ///
@@ -577,8 +578,17 @@ $($of)* {
         let reply = self.ask::<crate::base::GetDeviceInfo>(&[])$($await)*?;
         let texts = [reply.device_info.model_number.as_str(), reply.device_info.serial_number.as_str()];
         let mut numbers = texts.iter().flatten().filter_map(|text| model_number(text));
-        let found = numbers.next().and_then(Profile::by_model);
-        *self.model() = found;
+        let number = numbers.next();
+        let found = number.and_then(Profile::by_model);
+        *self.model() = found.or(match number {
+            Some(6279) => Profile::by_id("3dm-cx5-10"),
+            Some(6280) => Profile::by_id("3dm-cx5-15"),
+            Some(6281) => Profile::by_id("3dm-cx5-25"),
+            Some(6256) => Profile::by_id("3dm-gx5-45"),
+            Some(6272) => Profile::by_id("3dm-gx5-35"),
+            Some(6255) => Profile::by_id("3dm-cx5-10"),
+            _ => None,
+        });
         Ok(found)
     }
 

@@ -134,7 +134,7 @@ def times(model: m.Model) -> Iterator[File]:
         "leaps": model.protocol.leaps,
         "sources": sources,
         "groups": [*enumerate(devices.groups, validity.USUAL + 1)],
-        "models": [(d.model_number, devices.of(d)) for d in model.devices if d.model_number],
+        "models": [(number, devices.of(some)) for number, name in model.read_as if (some := model.device(name))],
         "most_parts": max((len(s.parts) for s in sources), default=1),
         "most_readings": max((1, *(len(s.readings) for s in sources))),
         "unknown": validity.UNKNOWN,
