@@ -501,8 +501,8 @@ export declare class DataStreamControlResponse extends Response {
      * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`; only
      *   `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
-     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
-     *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35,
+     *   3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet: number;
@@ -2311,8 +2311,8 @@ export declare class DataStreamControl<R extends Response | undefined = undefine
      * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `LegacyDataStream`; only
      *   `LegacyDataStream.ALL_STREAMS`, `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
-     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45,
-     *   3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `LegacyDataStream`.
+     * - On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35,
+     *   3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `LegacyDataStream`.
      * - On the 3DM-GX5-15: values of `LegacyDataStream`; only `LegacyDataStream.IMU` and `LegacyDataStream.FILTER`.
      */
     descriptorSet?: number;

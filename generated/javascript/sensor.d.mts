@@ -436,9 +436,9 @@ export declare class GpsTimestamp extends Data {
      * `types.SensorGpsTimestampFlags.TOW_VALID` of `validFlags` is set.
      *
      * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45,
-     *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
-     *   `validFlags` is set (inferred: the 3DM-GX5-15 has it).
+     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25,
+     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: valid if
+     *   `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
      * - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags`
      *   is set.
      */
@@ -447,9 +447,9 @@ export declare class GpsTimestamp extends Data {
      * GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of `validFlags` is set.
      *
      * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45,
-     *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
-     *   `validFlags` is set (inferred: the 3DM-GX5-15 has it).
+     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25,
+     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: valid if
+     *   `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags` is set (inferred: the 3DM-GX5-15 has it).
      * - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `validFlags`
      *   is set.
      */
@@ -458,9 +458,9 @@ export declare class GpsTimestamp extends Data {
      * State of the time.
      *
      * - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
-     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45,
-     *   3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `types.Gx5SensorGpsTimestampFlags` (inferred: the
-     *   3DM-GX5-15 has it).
+     *   3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25,
+     *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of
+     *   `types.Gx5SensorGpsTimestampFlags` (inferred: the 3DM-GX5-15 has it).
      * - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
      */
     validFlags: types.SensorGpsTimestampFlags;

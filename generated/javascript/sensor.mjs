@@ -109,7 +109,7 @@ export const GpsTimestamp = /* @__PURE__ */ field.data("sensor.gps_timestamp", 0
     values.validFlags = codec.u16(reader, 10);
 }, {
     VALID: /* @__PURE__ */ field.validity({ validFlags: { tow: 0x8, weekNumber: 0x10 } }, [
-        [["3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-15", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st"], 0xfff8, "validFlags", { validFlags: { tow: 0x4, weekNumber: 0x4 } }],
+        [["3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-45", "3dm-dh3", "3dm-gq4-45", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-15", "3dm-gx5-25", "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st", "3dm-rq1-imu"], 0xfff8, "validFlags", { validFlags: { tow: 0x4, weekNumber: 0x4 } }],
     ]),
 });
 

@@ -42,9 +42,10 @@ export declare class BuiltInTest extends Data {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte.
      *
-     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
-     *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `types.Cv7InertialContinuousBuiltInTest`.
+     * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR
+     *   and 3DM-GV7-INS: values of `types.Cv7InertialContinuousBuiltInTest`.
      * - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
+     * - On the 3DM-GQ7-GNSS/INS: values of `types.Gq7ContinuousBuiltInTest`.
      */
     result: number[];
 }

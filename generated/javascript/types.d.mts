@@ -1002,10 +1002,11 @@ export declare const CommInterface: Enumeration<CommInterface> & {
 
 export type RtkStatusFlags = Flavor<number, "rtk_status_flags">;
 /**
- * State of the modem and of the corrections. Other models send `RtkStatusFlagsLegacy`. Uncertain: The SDK states only
- * that the form depends on the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the
- * legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only
- * the names, from which the descriptions are inferred. The meaning of the values is not known.
+ * State of the modem and of the corrections. If `version` is 0, as sent by modems of the first generation, the other
+ * bits have no meaning here: read the word as `RtkStatusFlagsLegacy`. Uncertain: The SDK states only that the form
+ * depends on the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form, 1 is
+ * this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from
+ * which the descriptions are inferred. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */

@@ -1440,7 +1440,7 @@ types:
         doc: All bits as a number.
   rtk_status_flags:
     -kind: bits
-    doc: "State of the modem and of the corrections. Other models send `rtk_status_flags_legacy`. Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not known."
+    doc: "State of the modem and of the corrections. If `version` is 0, as sent by modems of the first generation, the other bits have no meaning here: read the word as `rtk_status_flags_legacy`. Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not known."
     seq:
       - id: version
         type: b2
@@ -3491,7 +3491,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: 16
-        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `cv7_inertial_continuous_built_in_test`. On the 3DM-CV7-GNSS/INS: values of `cv7_continuous_built_in_test`."
+        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `cv7_inertial_continuous_built_in_test`. On the 3DM-CV7-GNSS/INS: values of `cv7_continuous_built_in_test`. On the 3DM-GQ7-GNSS/INS: values of `gq7_continuous_built_in_test` (inferred: the sources are about `system_data_built_in_test`, whose flags are the same on the 3DM-CV7-GNSS/INS)."
   base_comm_speed_response:
     -orig-id: base.comm_speed_response
     doc: "Comm port speed response. "
@@ -3738,7 +3738,7 @@ types:
       - id: descriptor_set
         type: u1
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
-        doc: "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `mip_3dm_legacy_data_stream`; only `all_streams`, `imu` and `filter`. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm_legacy_data_stream`. On the 3DM-GX5-15: values of `mip_3dm_legacy_data_stream`; only `imu` and `filter`."
+        doc: "Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `mip_3dm_legacy_data_stream`; only `all_streams`, `imu` and `filter`. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `mip_3dm_legacy_data_stream`. On the 3DM-GX5-15: values of `mip_3dm_legacy_data_stream`; only `imu` and `filter`."
       - id: enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
@@ -4507,7 +4507,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: "Stream specified in the command. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `mip_3dm_legacy_data_stream`; only `all_streams`, `imu` and `filter`. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `mip_3dm_legacy_data_stream`. On the 3DM-GX5-15: values of `mip_3dm_legacy_data_stream`; only `imu` and `filter`."
+        doc: "Stream specified in the command. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of `mip_3dm_legacy_data_stream`; only `all_streams`, `imu` and `filter`. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `mip_3dm_legacy_data_stream`. On the 3DM-GX5-15: values of `mip_3dm_legacy_data_stream`; only `imu` and `filter`."
       - id: enabled
         type: u1
         doc: True if the stream is sent.
@@ -7349,7 +7349,7 @@ types:
         doc: Next key in ASCII digits.
   rtk_get_status_flags:
     -orig-id: rtk.get_status_flags
-    doc: "Get status flags. Gets the state of the modem and of the corrections. No device is known for certain to support it. The status word in the response has two forms, `rtk_status_flags` and `rtk_status_flags_legacy`."
+    doc: "Get status flags. Gets the state of the modem and of the corrections. No device is known for certain to support it. The status word in the response has two forms: `rtk_status_flags` if its `version` is not 0, and `rtk_status_flags_legacy` if it is."
   rtk_get_imei:
     -orig-id: rtk.get_imei
     doc: Get IMEI. Gets the identity of the modem.
@@ -8076,13 +8076,13 @@ types:
     seq:
       - id: tow
         type: f8
-        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow_valid` is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if `valid_flags.time_initialized` is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if `valid_flags.time_initialized` is set."
+        doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow_valid` is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: valid if `valid_flags.time_initialized` is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if `valid_flags.time_initialized` is set."
       - id: week_number
         type: u2
-        doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number_valid` is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if `valid_flags.time_initialized` is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if `valid_flags.time_initialized` is set."
+        doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number_valid` is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: valid if `valid_flags.time_initialized` is set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if `valid_flags.time_initialized` is set."
       - id: valid_flags
         type: sensor_gps_timestamp_flags
-        doc: "State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `gx5_sensor_gps_timestamp_flags` (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of `gx5_sensor_gps_timestamp_flags`."
+        doc: "State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `gx5_sensor_gps_timestamp_flags` (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of `gx5_sensor_gps_timestamp_flags`."
   sensor_temperature_statistics:
     -orig-id: sensor.temperature_statistics
     doc: Temperature statistics. Temperatures since the last power-on or reset. The values come from the inertial sensors, alone or together with sensors on the board.
@@ -9365,13 +9365,13 @@ types:
     seq:
       - id: filter_state
         type: u2
-        doc: "Progress of the filter from start-up to its full solution. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_filter_state` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_filter_state` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_filter_state`. On the 3DM-GX5-15: values of `filter_data_gx5_filter_state`."
+        doc: "Progress of the filter from start-up to its full solution. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `filter_data_gx5_filter_state` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_filter_state` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_filter_state`. On the 3DM-GX5-15: values of `filter_data_gx5_filter_state`."
       - id: dynamics_mode
         type: u2
-        doc: "Motion for which the filter is configured. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_dynamics_mode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_dynamics_mode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_dynamics_mode`. On the 3DM-GX5-15: values of `filter_data_gx5_dynamics_mode`."
+        doc: "Motion for which the filter is configured. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `filter_data_gx5_dynamics_mode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_dynamics_mode` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_dynamics_mode`. On the 3DM-GX5-15: values of `filter_data_gx5_dynamics_mode`."
       - id: status_flags
         type: u2
-        doc: "Condition and warnings. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `filter_data_gx5_status_flags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_status_flags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_status_flags`. On the 3DM-GX5-15: values of `filter_data_gx5_status_flags`."
+        doc: "Condition and warnings. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of `filter_data_gx5_status_flags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `filter_data_cv7_status_flags` (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the 3DM-CV7-GNSS/INS: values of `filter_data_cv7_status_flags`. On the 3DM-GX5-15: values of `filter_data_gx5_status_flags`."
   filter_data_timestamp:
     -orig-id: filter_data.timestamp
     doc: "Filter timestamp. GPS time of the filter data. Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: this field may be withdrawn; prefer `shared_gps_timestamp`."
@@ -9910,7 +9910,7 @@ types:
         type: u1
         repeat: expr
         repeat-expr: 16
-        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `cv7_inertial_continuous_built_in_test`. On the 3DM-CV7-GNSS/INS: values of `cv7_continuous_built_in_test`."
+        doc: "Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `cv7_inertial_continuous_built_in_test`. On the 3DM-CV7-GNSS/INS: values of `cv7_continuous_built_in_test`. On the 3DM-GQ7-GNSS/INS: values of `gq7_continuous_built_in_test`."
   system_data_time_sync_status:
     -orig-id: system_data.time_sync_status
     doc: Time sync status. Synchronization of the device time with the pulse per second.

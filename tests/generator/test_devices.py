@@ -6,12 +6,13 @@ import dataclasses
 from pathlib import Path
 
 import pytest
+from mip_protocol._index import MODELS
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.read.problems import SpecError
 from mipgen.resolve.load import load_model
-from support import SPECS, model, some
+from support import ROOT, SPECS, model, some
 
 INVENTED, REAL = model("invented"), model("real")
 
@@ -180,6 +181,35 @@ def test_ports_have_the_names_of_their_device() -> None:
             assert named == {p.id: p.name.lower().replace(" ", "_") for p in d.ports}, d.id
             found += 1
     assert found > 2, "the command and its response, of several devices"
+
+
+def test_every_type_is_used() -> None:
+    """By a parameter or a bit, or on a device; another form of a word, only in texts. The built-in test of the 3DM-GQ7
+    had a type that no device used."""
+    records = (REAL.protocol.acknowledge, *REAL.records)
+    every = [q for r in records for p in r.parameters for q in (p, *p.alternatives)]
+    used = {t.full_name for q in every for t in (q.element, *(v.type for v in q.variants)) if hasattr(t, "full_name")}
+    bitfields = [t for t in REAL.all_types if isinstance(t, m.Bitfield)]
+    used |= {b.enum.full_name for t in bitfields for b in t.bits if b.enum}
+    named = {t.full_name for t in REAL.all_types if isinstance(t, (m.Enum, m.Bitfield))}
+    assert named - used == {"rtk_status_flags_legacy"}
+
+
+def test_devices_are_read_as_what_they_are() -> None:
+    read = {d.id: {v.path: v.variant.type for v in d.variants} for d in REAL.devices}
+    for path in ("system_data.built_in_test.result", "base.continuous_built_in_test_response.result"):
+        assert some(read["3dm-gq7"][path]).name == "gq7_continuous_built_in_test"
+    for inner in ("3dm-gx4-imu", "3dm-rq1-imu"):
+        old = {path: t for path, t in read["3dm-gx4-25"].items() if path.startswith(("sensor.", "3dm.data_stream"))}
+        assert old and old.items() <= read[inner].items()
+
+
+def test_a_device_known_by_its_name_is_read_as_the_one_most_like_it() -> None:
+    assert dict(REAL.read_as) == MODELS and MODELS[6255] == "3dm-cx5-10" and MODELS[6254] == "3dm-gx5-15"
+    in_rust = 'Some({}) => Profile::by_id("{}")'
+    for file, arm in (("javascript/session.mjs", '{}: "{}"'), ("rust/src/sets/session.rs", in_rust)):
+        text = (ROOT / "generated" / file).read_text("utf-8")
+        assert len(REAL.named) == 6 and all(arm.format(d.model_number, d.like) in text for d in REAL.named)
 
 
 # --------------------------------------------------------------------------- answers

@@ -951,11 +951,11 @@ GQ7 = Device(
     },
     readings={
         "base.built_in_test_response.result": types.Cv7BuiltInTest,
-        "base.continuous_built_in_test_response.result": types.Cv7InertialContinuousBuiltInTest,
+        "base.continuous_built_in_test_response.result": types.Gq7ContinuousBuiltInTest,
         "filter_data.status.filter_state": filter_data.Cv7FilterState,
         "filter_data.status.dynamics_mode": filter_data.Cv7DynamicsMode,
         "filter_data.status.status_flags": filter_data.Cv7StatusFlags,
-        "system_data.built_in_test.result": types.Cv7InertialContinuousBuiltInTest,
+        "system_data.built_in_test.result": types.Gq7ContinuousBuiltInTest,
     },
     incomplete=("Only some pages of its manual are known; the device has further commands and data.", "The baud rates of the Aux port are not known, nor all of its protocols."),
     also=("3DM-GQ7",),
@@ -1433,6 +1433,14 @@ GX4_IMU = Device(
             {0x01: bytes.fromhex("06")}),
     ),
     base_rates={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
+    },
     incomplete=("No manual is known.",),
     generation=4,
 )
@@ -1818,6 +1826,14 @@ RQ1_IMU = Device(
             {0x01: bytes.fromhex("06")}),
     ),
     base_rates={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
+        "filter_data.status.filter_state": filter_data.Gx5FilterState,
+        "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
+        "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
+    },
     incomplete=("No manual is known.",),
     generation=4,
 )

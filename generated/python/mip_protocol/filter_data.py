@@ -1234,9 +1234,9 @@ class Status(Data):
 
     - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
       3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-      3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-      `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all
-      generations up to the fifth).
+      3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU:
+      values of `Gx5FilterState` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same
+      states for all generations up to the fifth).
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`
       (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
@@ -1249,9 +1249,9 @@ class Status(Data):
 
     - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
       3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-      3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-      `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for
-      all generations up to the fifth).
+      3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU:
+      values of `Gx5DynamicsMode` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same
+      states for all generations up to the fifth).
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`
       (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
@@ -1264,9 +1264,9 @@ class Status(Data):
 
     - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
       3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-      3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-      `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all
-      generations up to the fifth).
+      3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU:
+      values of `Gx5StatusFlags` (inferred: the 3DM-GX5-15 has them, and the SDK lists the same
+      states for all generations up to the fifth).
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`
       (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its

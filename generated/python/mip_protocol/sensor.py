@@ -867,9 +867,9 @@ class GpsTimestamp(Data):
 
     - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
       3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-      3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if
-      `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `valid_flags` is set (inferred: the
-      3DM-GX5-15 has it).
+      3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+      3DM-RQ1-IMU: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `valid_flags` is
+      set (inferred: the 3DM-GX5-15 has it).
     - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
       of `valid_flags` is set.
     """
@@ -879,9 +879,9 @@ class GpsTimestamp(Data):
 
     - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
       3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-      3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if
-      `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `valid_flags` is set (inferred: the
-      3DM-GX5-15 has it).
+      3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+      3DM-RQ1-IMU: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of `valid_flags` is
+      set (inferred: the 3DM-GX5-15 has it).
     - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
       of `valid_flags` is set.
     """
@@ -890,8 +890,8 @@ class GpsTimestamp(Data):
 
     - On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
       3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-      3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-      `types.Gx5SensorGpsTimestampFlags` (inferred: the 3DM-GX5-15 has it).
+      3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+      3DM-RQ1-IMU: values of `types.Gx5SensorGpsTimestampFlags` (inferred: the 3DM-GX5-15 has it).
     - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
     """
 

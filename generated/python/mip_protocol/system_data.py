@@ -67,9 +67,9 @@ class BuiltInTest(Data):
     byte.
 
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-      3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
-      `types.Cv7InertialContinuousBuiltInTest`.
+      3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `types.Cv7InertialContinuousBuiltInTest`.
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
+    - On the 3DM-GQ7-GNSS/INS: values of `types.Gq7ContinuousBuiltInTest`.
     """
 
     def __init__(self, result: Sequence[int]) -> None:

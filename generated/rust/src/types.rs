@@ -385,6 +385,7 @@ bitfield! {
     }
 }
 
+#[cfg(any(feature = "base", feature = "system_data"))]
 bitfield! {
     /// Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
     /// sensors, 64-95 navigation, 96-127 GNSS.
@@ -1396,7 +1397,8 @@ open_enum! {
 
 #[cfg(any(feature = "gnss_data", feature = "rtk"))]
 bitfield! {
-    /// State of the modem and of the corrections. Other models send [`RtkStatusFlagsLegacy`].
+    /// State of the modem and of the corrections. If `version` is 0, as sent by modems of the first
+    /// generation, the other bits have no meaning here: read the word as [`RtkStatusFlagsLegacy`].
     ///
     /// Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other
     /// software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the
@@ -1678,10 +1680,11 @@ bitfield! {
 /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
 /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
 /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-/// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-/// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-/// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx5SensorGpsTimestampFlags`] (inferred:
-/// the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
+/// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25),
+/// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+/// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and
+/// [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of [`Gx5SensorGpsTimestampFlags`] (inferred: the
+/// 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
 /// [3DM-GX5-35](crate::devices::GX5_35): values of [`Gx5SensorGpsTimestampFlags`].
 #[cfg(feature = "sensor")]
 #[rustfmt::skip]

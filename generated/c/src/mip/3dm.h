@@ -1231,8 +1231,8 @@ struct mip_3dm_data_stream_control {
      * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-25 and 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream;
      * only MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
-     * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-     * enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+     * 3DM-RQ1-IMU: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
      * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */
@@ -1310,8 +1310,8 @@ struct mip_3dm_data_stream_control_response {
      * 3DM-MV5-AR: values of enum mip_3dm_legacy_data_stream; only
      * MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS, MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER. On the 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-35,
-     * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-     * enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
+     * 3DM-GX3-45, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+     * 3DM-RQ1-IMU: values of enum mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum
      * mip_3dm_legacy_data_stream; only MIP_3DM_LEGACY_DATA_STREAM_IMU and
      * MIP_3DM_LEGACY_DATA_STREAM_FILTER.
      */

@@ -328,8 +328,10 @@ struct mip_base_continuous_built_in_test_response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
      * byte. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit.
-     * On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
+     * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_cv7_inertial_bit. On the
+     * 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test. On the 3DM-GQ7-GNSS/INS: values
+     * of mip_gq7_continuous_built_in_test (inferred: the sources are about
+     * mip_system_data_built_in_test, whose flags are the same on the 3DM-CV7-GNSS/INS).
      */
     uint8_t result[16];
 };

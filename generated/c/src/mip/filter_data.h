@@ -874,41 +874,42 @@ struct mip_filter_data_status {
     /**
      * Progress of the filter from start-up to its full solution. On the 3DM-CV5-10, 3DM-CV5-15,
      * 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
-     * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45,
-     * 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_filter_data_gx5_filter_state
-     * (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
-     * to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
-     * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
-     * mip_filter_data_cv7_filter_state (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists
-     * the same states for its generation). On the 3DM-CV7-GNSS/INS: values of enum
-     * mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values of enum
-     * mip_filter_data_gx5_filter_state.
+     * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25,
+     * 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of enum
+     * mip_filter_data_gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the
+     * same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR,
+     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR and 3DM-GV7-INS: values of enum mip_filter_data_cv7_filter_state (inferred: the
+     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
+     * 3DM-CV7-GNSS/INS: values of enum mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values
+     * of enum mip_filter_data_gx5_filter_state.
      */
     uint16_t filter_state;
     /**
      * Motion for which the filter is configured. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
      * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35,
-     * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
-     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_filter_data_gx5_dynamics_mode (inferred:
-     * the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the
-     * fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
-     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
-     * mip_filter_data_cv7_dynamics_mode (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists
-     * the same states for its generation). On the 3DM-CV7-GNSS/INS: values of enum
-     * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of enum
-     * mip_filter_data_gx5_dynamics_mode.
+     * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45,
+     * 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of enum
+     * mip_filter_data_gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the
+     * same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR,
+     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
+     * 3DM-GV7-AR and 3DM-GV7-INS: values of enum mip_filter_data_cv7_dynamics_mode (inferred: the
+     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
+     * 3DM-CV7-GNSS/INS: values of enum mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values
+     * of enum mip_filter_data_gx5_dynamics_mode.
      */
     uint16_t dynamics_mode;
     /**
      * Condition and warnings. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
      * 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
-     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST:
-     * values of mip_filter_data_gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK
-     * lists the same states for all generations up to the fifth). On the 3DM-CV7-AHRS, 3DM-CV7-AR,
-     * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
-     * 3DM-GV7-AR and 3DM-GV7-INS: values of mip_filter_data_cv7_status_flags (inferred: the
-     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation). On the
-     * 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_status_flags. On the 3DM-GX5-15: values of
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT,
+     * 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of mip_filter_data_gx5_status_flags (inferred: the
+     * 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth).
+     * On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of
+     * mip_filter_data_cv7_status_flags (inferred: the 3DM-CV7-GNSS/INS has them, and the SDK lists
+     * the same states for its generation). On the 3DM-CV7-GNSS/INS: values of
+     * mip_filter_data_cv7_status_flags. On the 3DM-GX5-15: values of
      * mip_filter_data_gx5_status_flags.
      */
     uint16_t status_flags;

@@ -83,8 +83,8 @@ enum mip_rtk_led_action MIP_ENUM_8 {
  * No device is known for certain to support it. Response: mip_rtk_get_status_flags_response. Known
  * only from the MicroStrain MIP SDK.
  *
- * The status word in the response has two forms, mip_rtk_status_flags and
- * mip_rtk_status_flags_legacy.
+ * The status word in the response has two forms: mip_rtk_status_flags if its `version` is not 0,
+ * and mip_rtk_status_flags_legacy if it is.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */

@@ -511,9 +511,9 @@ struct mip_sensor_gps_timestamp {
      * MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags is set. On the 3DM-CV5-10,
      * 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45,
      * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-     * 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: valid if
-     * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set (inferred: the
-     * 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+     * 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
+     * 3DM-RQ1-IMU: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is
+     * set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if
      * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     double tow;
@@ -521,18 +521,20 @@ struct mip_sensor_gps_timestamp {
      * GPS week number. Unit: week. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID in
      * valid_flags is set. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
      * 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
-     * 3DM-RQ1-45-ST: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is
-     * set (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
+     * 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: valid if
+     * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set (inferred: the
+     * 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: valid if
      * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     uint16_t week_number;
     /**
      * State of the time. On the 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
      * 3DM-CX5-25, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
-     * 3DM-RQ1-45-ST: values of mip_gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has
-     * it). On the 3DM-GX5-15 and 3DM-GX5-35: values of mip_gx5_sensor_gps_timestamp_flags.
+     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR,
+     * 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: values of mip_gx5_sensor_gps_timestamp_flags
+     * (inferred: the 3DM-GX5-15 has it). On the 3DM-GX5-15 and 3DM-GX5-35: values of
+     * mip_gx5_sensor_gps_timestamp_flags.
      */
     mip_sensor_gps_timestamp_flags valid_flags;
 };

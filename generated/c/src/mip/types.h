@@ -1057,7 +1057,8 @@ enum mip_comm_interface MIP_ENUM_8 {
 };
 
 /**
- * State of the modem and of the corrections. Other models send mip_rtk_status_flags_legacy.
+ * State of the modem and of the corrections. If `version` is 0, as sent by modems of the first
+ * generation, the other bits have no meaning here: read the word as mip_rtk_status_flags_legacy.
  * Uncertain: The SDK states only that the form depends on the model number. Uncertain: Other
  * software of the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy
  * form of the SDK the same two bits are `sinr`. Uncertain: The SDK lists only the names, from which

@@ -84,7 +84,7 @@ TYPES: dict[str, Info] = {
         )),
     "ContinuousBuiltInTestResponse": FieldInfo(
         "base.continuous_built_in_test_response", base.ContinuousBuiltInTestResponse, devices=("3dm-cv7-ar", "3dm-cv7-gnss-ins"), assumed=("3dm-cv7-ahrs", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), parameters=(
-            Parameter("result", "result", "array", scalar="u8", length=16, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": types.Cv7InertialContinuousBuiltInTest}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": types.Cv7ContinuousBuiltInTest}),)),
+            Parameter("result", "result", "array", scalar="u8", length=16, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": types.Cv7InertialContinuousBuiltInTest}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": types.Cv7ContinuousBuiltInTest}), Variant("device", ("3dm-gq7",), {"type": types.Gq7ContinuousBuiltInTest}),)),
         )),
     "CommSpeedResponse": FieldInfo(
         "base.comm_speed_response", base.CommSpeedResponse, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), likely=("3dm-cv7-ins", "3dm-gv7-ins", "3dm-rtk"), assumed=("3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar"), parameters=(

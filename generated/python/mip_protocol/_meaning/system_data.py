@@ -13,7 +13,7 @@ TYPES: dict[str, Info] = {
     "GpioPinStates": BitsInfo("system_data.gpio_pin_states", system_data.GpioPinStates),
     "BuiltInTest": FieldInfo(
         "system_data.built_in_test", system_data.BuiltInTest, devices=("3dm-cv7-ar", "3dm-cv7-gnss-ins", "3dm-gq7"), assumed=("3dm-cv7-ahrs", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), parameters=(
-            Parameter("result", "result", "array", scalar="u8", length=16, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": types.Cv7InertialContinuousBuiltInTest}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": types.Cv7ContinuousBuiltInTest}),)),
+            Parameter("result", "result", "array", scalar="u8", length=16, variants=(Variant("device", ("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins"), {"type": types.Cv7InertialContinuousBuiltInTest}), Variant("device", ("3dm-cv7-gnss-ins",), {"type": types.Cv7ContinuousBuiltInTest}), Variant("device", ("3dm-gq7",), {"type": types.Gq7ContinuousBuiltInTest}),)),
         )),
     "TimeSyncStatus": FieldInfo(
         "system_data.time_sync_status", system_data.TimeSyncStatus, devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"), likely=("3dm-cv7-ins", "3dm-gv7-ahrs", "3dm-gv7-ar"), assumed=("3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-gq7", "3dm-gv7-ins"), parameters=(

@@ -5382,8 +5382,8 @@ pub static GQ7: Profile = Profile {
         },
         Variant {
             parameter: "base.continuous_built_in_test_response.result",
-            read_as: Some("cv7_inertial_continuous_built_in_test"),
-            difference: "values of cv7_inertial_continuous_built_in_test",
+            read_as: Some("gq7_continuous_built_in_test"),
+            difference: "values of gq7_continuous_built_in_test (inferred: the sources are about system_data.built_in_test, whose flags are the same on the 3DM-CV7-GNSS/INS)",
         },
         Variant {
             parameter: "base.comm_speed_response.port",
@@ -5427,8 +5427,8 @@ pub static GQ7: Profile = Profile {
         },
         Variant {
             parameter: "system_data.built_in_test.result",
-            read_as: Some("cv7_inertial_continuous_built_in_test"),
-            difference: "values of cv7_inertial_continuous_built_in_test",
+            read_as: Some("gq7_continuous_built_in_test"),
+            difference: "values of gq7_continuous_built_in_test",
         },
     ],
     ack_codes: &[
@@ -7945,6 +7945,46 @@ pub static GX4_IMU: Profile = Profile {
             read_as: None,
             difference: "the values are unknown",
         },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
     ],
     ack_codes: &[
     ],
@@ -9893,6 +9933,46 @@ pub static RQ1_IMU: Profile = Profile {
             parameter: "base.built_in_test_response.result",
             read_as: None,
             difference: "the values are unknown",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags (inferred: the 3DM-GX5-15 has it)",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags (inferred: the 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth)",
         },
     ],
     ack_codes: &[

@@ -897,11 +897,14 @@ record! {
         /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
         /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
         /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
-        /// of [`types::Cv7InertialContinuousBuiltInTest`]. On the
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of
+        /// [`types::Cv7InertialContinuousBuiltInTest`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
-        /// [`types::Cv7ContinuousBuiltInTest`].
+        /// [`types::Cv7ContinuousBuiltInTest`]. On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7):
+        /// values of [`types::Gq7ContinuousBuiltInTest`] (inferred: the sources are about
+        /// [`system_data::BuiltInTest`](crate::system_data::BuiltInTest), whose flags are the same
+        /// on the 3DM-CV7-GNSS/INS).
         pub result: [u8; 16],
     }
 }
@@ -925,8 +928,8 @@ impl ContinuousBuiltInTestResponse {
     /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`types::Cv7InertialContinuousBuiltInTest`].
     #[inline]
     #[must_use]
@@ -941,6 +944,18 @@ impl ContinuousBuiltInTestResponse {
     #[inline]
     #[must_use]
     pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
+        self.result.into()
+    }
+
+    /// Reads `result` as [`types::Gq7ContinuousBuiltInTest`].
+    ///
+    /// On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): values of
+    /// [`types::Gq7ContinuousBuiltInTest`] (inferred: the sources are about
+    /// [`system_data::BuiltInTest`](crate::system_data::BuiltInTest), whose flags are the same on
+    /// the 3DM-CV7-GNSS/INS).
+    #[inline]
+    #[must_use]
+    pub fn result_as_gq7_continuous_built_in_test(&self) -> types::Gq7ContinuousBuiltInTest {
         self.result.into()
     }
 }

@@ -1437,9 +1437,10 @@ record! {
         /// and [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
         /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
         /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of [`LegacyDataStream`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: Option<u8>,
@@ -1491,9 +1492,10 @@ impl DataStreamControl {
     /// [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of [`LegacyDataStream`]. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
     /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]
@@ -4819,9 +4821,10 @@ record! {
         /// and [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
         /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
         /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of [`LegacyDataStream`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
         /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
         pub descriptor_set: u8,
@@ -4857,9 +4860,10 @@ impl DataStreamControlResponse {
     /// [`LegacyDataStream::FILTER`]. On the [3DM-CX5-45](crate::devices::CX5_45),
     /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
-    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-35](crate::devices::GX5_35),
-    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`]. On the
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX4-IMU](crate::devices::GX4_IMU),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of [`LegacyDataStream`]. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): values of [`LegacyDataStream`]; only
     /// [`LegacyDataStream::IMU`] and [`LegacyDataStream::FILTER`].
     #[inline]

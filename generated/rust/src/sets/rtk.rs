@@ -76,8 +76,8 @@ record! {
     /// No device is known for certain to support it. Response: [`GetStatusFlagsResponse`]. Known
     /// only from the MicroStrain MIP SDK.
     ///
-    /// - The status word in the response has two forms, [`types::RtkStatusFlags`] and
-    ///   [`types::RtkStatusFlagsLegacy`].
+    /// - The status word in the response has two forms: [`types::RtkStatusFlags`] if its `version`
+    ///   is not 0, and [`types::RtkStatusFlagsLegacy`] if it is.
     ///
     /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]

@@ -840,9 +840,10 @@ record! {
         /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): valid if
+        /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25),
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
         /// [3DM-GX5-35](crate::devices::GX5_35): valid if
@@ -862,9 +863,10 @@ record! {
         /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): valid if
+        /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25),
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
         /// [3DM-GX5-35](crate::devices::GX5_35): valid if
@@ -881,9 +883,10 @@ record! {
         /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
         /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
         /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-        /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of
+        /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25),
+        /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST)
+        /// and [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of
         /// [`types::Gx5SensorGpsTimestampFlags`] (inferred: the 3DM-GX5-15 has it). On the
         /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
         /// [`types::Gx5SensorGpsTimestampFlags`].
@@ -921,9 +924,10 @@ impl GpsTimestamp {
     /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
     /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
     /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
-    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`types::Gx5SensorGpsTimestampFlags`]
+    /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT), [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and
+    /// [3DM-RQ1-IMU](crate::devices::RQ1_IMU): values of [`types::Gx5SensorGpsTimestampFlags`]
     /// (inferred: the 3DM-GX5-15 has it). On the [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-35](crate::devices::GX5_35): values of [`types::Gx5SensorGpsTimestampFlags`].
     #[inline]
@@ -968,13 +972,15 @@ impl GpsTimestamp {
             | "3dm-gx4-15"
             | "3dm-gx4-25"
             | "3dm-gx4-45"
+            | "3dm-gx4-imu"
             | "3dm-gx5-15"
             | "3dm-gx5-25"
             | "3dm-gx5-35"
             | "3dm-gx5-45"
             | "3dm-mv5-ar"
             | "3dm-rq1-45-lt"
-            | "3dm-rq1-45-st" => {
+            | "3dm-rq1-45-st"
+            | "3dm-rq1-imu" => {
                 flag!(self valid_flags 0x4)
             }
             _ => {
@@ -1016,13 +1022,15 @@ impl GpsTimestamp {
             | "3dm-gx4-15"
             | "3dm-gx4-25"
             | "3dm-gx4-45"
+            | "3dm-gx4-imu"
             | "3dm-gx5-15"
             | "3dm-gx5-25"
             | "3dm-gx5-35"
             | "3dm-gx5-45"
             | "3dm-mv5-ar"
             | "3dm-rq1-45-lt"
-            | "3dm-rq1-45-st" => {
+            | "3dm-rq1-45-st"
+            | "3dm-rq1-imu" => {
                 flag!(self valid_flags 0x4)
             }
             _ => {

@@ -57,11 +57,12 @@ record! {
         /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
         /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
         /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-        /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values
-        /// of [`types::Cv7InertialContinuousBuiltInTest`]. On the
+        /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+        /// [3DM-GV7-INS](crate::devices::GV7_INS): values of
+        /// [`types::Cv7InertialContinuousBuiltInTest`]. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
-        /// [`types::Cv7ContinuousBuiltInTest`].
+        /// [`types::Cv7ContinuousBuiltInTest`]. On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7):
+        /// values of [`types::Gq7ContinuousBuiltInTest`].
         pub result: [u8; 16],
     }
 }
@@ -85,8 +86,8 @@ impl BuiltInTest {
     /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-AHRS](crate::devices::CX7_AHRS),
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
-    /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
+    /// [3DM-GV7-INS](crate::devices::GV7_INS): values of
     /// [`types::Cv7InertialContinuousBuiltInTest`].
     #[inline]
     #[must_use]
@@ -101,6 +102,16 @@ impl BuiltInTest {
     #[inline]
     #[must_use]
     pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
+        self.result.into()
+    }
+
+    /// Reads `result` as [`types::Gq7ContinuousBuiltInTest`].
+    ///
+    /// On the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): values of
+    /// [`types::Gq7ContinuousBuiltInTest`].
+    #[inline]
+    #[must_use]
+    pub fn result_as_gq7_continuous_built_in_test(&self) -> types::Gq7ContinuousBuiltInTest {
         self.result.into()
     }
 }

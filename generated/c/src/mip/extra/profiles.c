@@ -2208,11 +2208,11 @@ static const struct mip_profile_rate gq7_rates[] = {
 
 static const struct mip_profile_reading gq7_readings[] = {
     {"base.built_in_test_response.result", "cv7_built_in_test"},
-    {"base.continuous_built_in_test_response.result", "cv7_inertial_continuous_built_in_test"},
+    {"base.continuous_built_in_test_response.result", "gq7_continuous_built_in_test"},
     {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.cv7_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.cv7_status_flags"},
-    {"system_data.built_in_test.result", "cv7_inertial_continuous_built_in_test"},
+    {"system_data.built_in_test.result", "gq7_continuous_built_in_test"},
 };
 
 const struct mip_profile mip_profile_gq7 = {
@@ -3332,6 +3332,15 @@ static const struct mip_profile_field gx4_imu_fields[] = {
     {0x7F, 0x10, "WRSLD", &gx4_imu_evidence[0]},
 };
 
+static const struct mip_profile_reading gx4_imu_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
+};
+
 const struct mip_profile mip_profile_gx4_imu = {
     "3dm-gx4-imu",
     "3DM-GX4-IMU",
@@ -3346,7 +3355,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* readings */
+    6,    /* readings */
     NULL,
     gx4_imu_incomplete,
     gx4_imu_fields,
@@ -3354,7 +3363,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     NULL,
     NULL,
     NULL,
-    NULL,
+    gx4_imu_readings,
 };
 
 /* 3DM-GX5-15. */
@@ -4173,6 +4182,15 @@ static const struct mip_profile_field rq1_imu_fields[] = {
     {0x7F, 0x10, "WRSLD", &rq1_imu_evidence[0]},
 };
 
+static const struct mip_profile_reading rq1_imu_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+    {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
+    {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
+    {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
+};
+
 const struct mip_profile mip_profile_rq1_imu = {
     "3dm-rq1-imu",
     "3DM-RQ1-IMU",
@@ -4187,7 +4205,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     0,    /* absent sets */
     0,    /* fields of some firmware */
     0,    /* base rates */
-    0,    /* readings */
+    6,    /* readings */
     NULL,
     rq1_imu_incomplete,
     rq1_imu_fields,
@@ -4195,7 +4213,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     NULL,
     NULL,
     NULL,
-    NULL,
+    rq1_imu_readings,
 };
 
 /* 3DM-RTK. */

@@ -377,7 +377,7 @@ static const struct mip_reading readings_base_continuous_built_in_test_response_
     {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ar", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ins", 0, 0, &mip_names_cv7_inertial_bit},
-    {"3dm-gq7", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gq7", 0, 0, &mip_names_gq7_continuous_built_in_test},
     {"3dm-gv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-gv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-gv7-ins", 0, 0, &mip_names_cv7_inertial_bit},
@@ -580,6 +580,7 @@ static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[
     {"3dm-gx4-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-imu", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -587,13 +588,14 @@ static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[
     {"3dm-mv5-ar", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-rq1-45-st", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-rq1-imu", 0, 0, &mip_names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control[] = {
     {"function", "", NUMBER(U8), 0, 0, 0, ONE(struct mip_3dm_data_stream_control, function), 0,
      &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"descriptor_set", "", NUMBER(U8), 0, 1, 0,
      ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 23},
+     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 25},
     {"enable", "", NUMBER(BOOL), 0, 2, 0, ONE(struct mip_3dm_data_stream_control, enable), 0, NONE},
 };
 static const struct mip_record record_3dm_data_stream_control = {
@@ -1152,6 +1154,7 @@ static const struct mip_reading readings_3dm_data_stream_control_response_descri
     {"3dm-gx4-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-imu", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-gx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
@@ -1159,11 +1162,12 @@ static const struct mip_reading readings_3dm_data_stream_control_response_descri
     {"3dm-mv5-ar", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_3dm_legacy_data_stream},
     {"3dm-rq1-45-st", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-rq1-imu", 0, 0, &mip_names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
     {"descriptor_set", "", NUMBER(U8), 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 23},
+     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 25},
     {"enabled", "", NUMBER(BOOL), 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NONE},
 };
@@ -4055,6 +4059,7 @@ static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
     {"3dm-gx4-15", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-gx4-25", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-gx4-45", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
+    {"3dm-gx4-imu", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-gx5-15", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-gx5-25", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-gx5-35", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
@@ -4062,6 +4067,7 @@ static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
     {"3dm-mv5-ar", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
     {"3dm-rq1-45-st", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
+    {"3dm-rq1-imu", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
 };
 static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"tow", "s", NUMBER(DOUBLE), 0, 0, 0, ONE(struct mip_sensor_gps_timestamp, tow), 0, NONE},
@@ -4069,7 +4075,7 @@ static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
      0, NONE},
     {"valid_flags", "", NUMBER(U16), 0, 0, 0, ONE(struct mip_sensor_gps_timestamp, valid_flags), 0,
      &mip_names_sensor_gps_timestamp_flags, readings_sensor_gps_timestamp_valid_flags, NULL, NULL,
-     23},
+     25},
 };
 static const struct mip_record record_sensor_gps_timestamp = {
     parameters_sensor_gps_timestamp, 3, sizeof(struct mip_sensor_gps_timestamp)};
@@ -5010,12 +5016,14 @@ static const struct mip_reading readings_filter_data_status_filter_state[] = {
     {"3dm-gx4-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-gx4-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-gx4-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-gx4-imu", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-gx5-25", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-mv5-ar", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_filter_data_gx5_filter_state},
     {"3dm-rq1-45-st", 0, 0, &mip_names_filter_data_gx5_filter_state},
+    {"3dm-rq1-imu", 0, 0, &mip_names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
     {"3dm-cv5-10", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
@@ -5044,12 +5052,14 @@ static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
     {"3dm-gx4-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-gx4-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-gx4-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-gx4-imu", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-gx5-25", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-mv5-ar", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
     {"3dm-rq1-45-st", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
+    {"3dm-rq1-imu", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
     {"3dm-cv5-10", 0, 0, &mip_names_filter_data_gx5_status_flags},
@@ -5078,20 +5088,22 @@ static const struct mip_reading readings_filter_data_status_status_flags[] = {
     {"3dm-gx4-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-gx4-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-gx4-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-gx4-imu", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-gx5-25", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-gx5-45", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-mv5-ar", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-rq1-45-lt", 0, 0, &mip_names_filter_data_gx5_status_flags},
     {"3dm-rq1-45-st", 0, 0, &mip_names_filter_data_gx5_status_flags},
+    {"3dm-rq1-imu", 0, 0, &mip_names_filter_data_gx5_status_flags},
 };
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", NUMBER(U16), 0, 0, 0, ONE(struct mip_filter_data_status, filter_state), 0,
-     NULL, readings_filter_data_status_filter_state, NULL, NULL, 32},
+     NULL, readings_filter_data_status_filter_state, NULL, NULL, 34},
     {"dynamics_mode", "", NUMBER(U16), 0, 0, 0, ONE(struct mip_filter_data_status, dynamics_mode),
-     0, NULL, readings_filter_data_status_dynamics_mode, NULL, NULL, 32},
+     0, NULL, readings_filter_data_status_dynamics_mode, NULL, NULL, 34},
     {"status_flags", "", NUMBER(U16), 0, 0, 0, ONE(struct mip_filter_data_status, status_flags), 0,
-     NULL, readings_filter_data_status_status_flags, NULL, NULL, 32},
+     NULL, readings_filter_data_status_status_flags, NULL, NULL, 34},
 };
 static const struct mip_record record_filter_data_status = {parameters_filter_data_status, 3,
                                                             sizeof(struct mip_filter_data_status)};
@@ -5626,7 +5638,7 @@ static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cx7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ar", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-cx7-ins", 0, 0, &mip_names_cv7_inertial_bit},
-    {"3dm-gq7", 0, 0, &mip_names_cv7_inertial_bit},
+    {"3dm-gq7", 0, 0, &mip_names_gq7_continuous_built_in_test},
     {"3dm-gv7-ahrs", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-gv7-ar", 0, 0, &mip_names_cv7_inertial_bit},
     {"3dm-gv7-ins", 0, 0, &mip_names_cv7_inertial_bit},

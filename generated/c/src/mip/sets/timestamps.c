@@ -181,10 +181,11 @@ static const struct source sources[] = {
 };
 
 static const char *const devices_2[] = {
-    "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cx5-10",    "3dm-cx5-15",    "3dm-cx5-25",
-    "3dm-cx5-45", "3dm-dh3",    "3dm-gq4-45", "3dm-gx3-15",    "3dm-gx3-25",    "3dm-gx3-35",
-    "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45",    "3dm-gx5-15",    "3dm-gx5-25",
-    "3dm-gx5-35", "3dm-gx5-45", "3dm-mv5-ar", "3dm-rq1-45-lt", "3dm-rq1-45-st",
+    "3dm-cv5-10", "3dm-cv5-15",  "3dm-cv5-25",    "3dm-cx5-10",    "3dm-cx5-15",
+    "3dm-cx5-25", "3dm-cx5-45",  "3dm-dh3",       "3dm-gq4-45",    "3dm-gx3-15",
+    "3dm-gx3-25", "3dm-gx3-35",  "3dm-gx3-45",    "3dm-gx4-15",    "3dm-gx4-25",
+    "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-15",    "3dm-gx5-25",    "3dm-gx5-35",
+    "3dm-gx5-45", "3dm-mv5-ar",  "3dm-rq1-45-lt", "3dm-rq1-45-st", "3dm-rq1-imu",
 };
 
 static bool is_listed(const char *device, const char *const *ids, size_t count) {
@@ -200,7 +201,7 @@ uint8_t mip_reading_of(const char *device) {
     if (device == NULL) {
         return MIP_READING_UNKNOWN;
     }
-    if (is_listed(device, devices_2, 23)) {
+    if (is_listed(device, devices_2, 25)) {
         return 2;
     }
     return MIP_READING_USUAL;
@@ -213,9 +214,9 @@ uint8_t mip_reading_of_model(uint16_t model_number) {
     } models[] = {{6259, 2}, {6258, 2}, {6257, 2}, {6286, 1}, {6287, 1}, {6292, 1}, {6291, 1},
                   {6275, 2}, {6274, 2}, {6273, 2}, {6271, 2}, {6701, 1}, {6700, 1}, {6702, 1},
                   {6219, 2}, {6250, 2}, {6284, 1}, {6288, 1}, {6289, 1}, {6290, 1}, {6227, 2},
-                  {6223, 2}, {6225, 2}, {6228, 2}, {6233, 2}, {6234, 2}, {6236, 2}, {6237, 1},
+                  {6223, 2}, {6225, 2}, {6228, 2}, {6233, 2}, {6234, 2}, {6236, 2}, {6237, 2},
                   {6254, 2}, {6253, 2}, {6252, 2}, {6251, 2}, {6243, 2}, {6232, 2}, {6239, 2},
-                  {6238, 1}, {6285, 1}, {6130, 1}, {6279, 2}, {6280, 2}, {6281, 2}, {6256, 2},
+                  {6238, 2}, {6285, 1}, {6130, 1}, {6279, 2}, {6280, 2}, {6281, 2}, {6256, 2},
                   {6272, 2}, {6255, 2}};
     for (size_t i = 0; i < sizeof(models) / sizeof(models[0]); i++) {
         if (models[i].model == model_number) {
