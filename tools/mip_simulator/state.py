@@ -32,7 +32,7 @@ def _includes(versions: str | None, version: int) -> bool:
     if match is None:
         return True
     limit = 1000 * int(match[2]) + 100 * int(match[3]) + int(match[4])
-    return {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}[match[1]](version, limit)
+    return bool({"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}[match[1]](version, limit))
 
 
 class DeviceState(ABC):
