@@ -41,7 +41,12 @@ def start(
     timestamp = next(filter(dated, CLOCKS), None) if time in ("utc", "unix") else None if time == "none" else "auto"
     for number, own in sets.items():
         try:
-            device.stream({**shared, **own}, set=number, timestamp=timestamp)
+            try:
+                device.stream({**shared, **own}, set=number, timestamp=timestamp)
+            except Refused:
+                if timestamp in (None, "auto"):
+                    raise
+                device.stream({**shared, **own}, set=number)  # the device may lack this clock
         except NoAnswer:
             raise
         except (OSError, MipError) as error:
