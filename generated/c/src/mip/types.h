@@ -7,7 +7,7 @@
 
 #include "mip/core.h"
 
-#if MIP_VERSION_NUMBER != 200
+#if MIP_VERSION_NUMBER != 100
 #error "mip/types.h and mip/constants.h have different versions"
 #endif
 
