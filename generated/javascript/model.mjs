@@ -4,7 +4,7 @@ export default {
 "name": "MIP",
 "title": "MIP protocol of MicroStrain (LORD, HBK) inertial sensors",
 "package": "mip",
-"version": "0.1.0",
+"version": "0.2.0",
 "packet": {"sync":[117,101],"max_payload":255,"max_field_data":253},
 "acknowledge": "protocol.acknowledge",
 "barrier": {"set":1,"descriptor":1},

@@ -1,3 +1,3 @@
 """mipgen: one specification of the MIP protocol, bindings in several languages."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -11,6 +11,6 @@ from .link import Link
 from .live import LivePort
 from .script import ScriptedEvent
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = ["Faults", "Injected", "Link", "LivePort", "ScriptedEvent", "VirtualDevice"]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .binding import use
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 # For type checkers and editors; otherwise modules are imported when they are first used.
 if TYPE_CHECKING:

@@ -1,5 +1,5 @@
 # Version and sources of the mip library, for all CMake-based build systems.
-set(MIP_VERSION 0.1.0)
+set(MIP_VERSION 0.2.0)
 get_filename_component(MIP_FOLDER ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/core/client.c

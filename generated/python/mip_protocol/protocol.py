@@ -9,7 +9,7 @@ from .field import Response, Shared
 from .types import AckCode
 
 #: The version of the specification that this package was generated from.
-VERSION = "0.1.0"
+VERSION = "0.2.0"
 
 #: Set and descriptor of the command that `Client` uses as a barrier; 0, 0 if the specification
 #: names none.

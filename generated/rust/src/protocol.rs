@@ -5,7 +5,7 @@ pub use crate::types::AckCode;
 pub use crate::types::FunctionSelector;
 
 /// Version of the specification from which this crate was generated.
-pub const VERSION: &str = "0.1.0";
+pub const VERSION: &str = "0.2.0";
 /// The two bytes with which every packet begins.
 pub const SYNC: [u8; 2] = [0x75, 0x65];
 /// Descriptor set and descriptor of the barrier command; zeros if the specification names none.

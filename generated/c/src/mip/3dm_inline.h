@@ -8,7 +8,7 @@
 
 #include "mip/3dm.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/3dm_inline.h and mip/constants.h have different versions"
 #endif
 

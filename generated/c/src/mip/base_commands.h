@@ -8,7 +8,7 @@
 #include "mip/base.h"
 #include "mip/device.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/base_commands.h and mip/constants.h have different versions"
 #endif
 

@@ -16,7 +16,7 @@
 #include "mip/3dm_commands.h"
 #include "mip/base_commands.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/connect.h and mip/constants.h have different versions"
 #endif
 

@@ -6,9 +6,9 @@
 #define MIP_CONSTANTS_H
 
 /** Version of the specification and of all files of this binding. */
-#define MIP_VERSION "0.1.0"
+#define MIP_VERSION "0.2.0"
 /** The version as a number: 10203 is 1.2.3. */
-#define MIP_VERSION_NUMBER 100
+#define MIP_VERSION_NUMBER 200
 
 /** The first byte of every packet. */
 #define MIP_SYNC_1 0x75

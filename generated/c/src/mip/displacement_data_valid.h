@@ -9,7 +9,7 @@
 
 #include "mip/displacement_data.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/displacement_data_valid.h and mip/constants.h have different versions"
 #endif
 

@@ -8,7 +8,7 @@
 
 #include "mip/gnss_data.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/gnss_data_valid.h and mip/constants.h have different versions"
 #endif
 

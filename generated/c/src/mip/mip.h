@@ -58,7 +58,7 @@
 #include "mip/timestamps.h"
 #include "mip/types.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/mip.h and mip/constants.h have different versions"
 #endif
 

@@ -7,7 +7,7 @@
 
 #include "mip/types.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/protocol.h and mip/constants.h have different versions"
 #endif
 

@@ -10,7 +10,7 @@
 
 #include "mip/protocol.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/system.h and mip/constants.h have different versions"
 #endif
 

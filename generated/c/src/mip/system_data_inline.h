@@ -8,7 +8,7 @@
 
 #include "mip/system_data.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/system_data_inline.h and mip/constants.h have different versions"
 #endif
 

@@ -13,7 +13,7 @@
 
 #include "mip/protocol.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/timestamps.h and mip/constants.h have different versions"
 #endif
 

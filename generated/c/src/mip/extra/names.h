@@ -8,7 +8,7 @@
 #include "mip/constants.h"
 #include "mip/extra/reflect.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/extra/names.h and mip/constants.h have different versions"
 #endif
 

@@ -10,7 +10,7 @@
 #include "mip/connect.h"
 #include "mip/extra/profile.h"
 
-#if MIP_VERSION_NUMBER != 100
+#if MIP_VERSION_NUMBER != 200
 #error "mip/extra/rejected.h and mip/constants.h have different versions"
 #endif
 
