@@ -69,7 +69,7 @@ BUNDLES = {
     'export * from "mip-protocol/gnss_data"; export { Parser } from "mip-protocol";': 32_000,
     'export * from "mip-protocol/filter"; export { Parser } from "mip-protocol";': 30_000,
     'export { Client } from "mip-protocol"; export * from "mip-protocol/sensor";': 22_000,
-    'export { openSerial } from "mip-protocol/serial"; export { EulerAngles } from "mip-protocol/filter_data";': 34_000,
+    'export { openSerial } from "mip-protocol/serial"; export { EulerAngles } from "mip-protocol/filter_data";': 34_200,
 }
 
 

@@ -53,8 +53,9 @@ class Trial:
 
 
 def commands(device: m.Device) -> list[m.Support]:
-    """What a host can send to the device."""
-    return [s for s in device.supports if s.field.role == m.COMMAND and s.field.sent_by == "host"]
+    """What a host can send to the device, whose firmware is newer than all that profiles name."""
+    supported = [s for s in device.supports if not (s.firmware or "").startswith("<")]
+    return [s for s in supported if s.field.role == m.COMMAND and s.field.sent_by == "host"]
 
 
 def data_fields(device: m.Device) -> dict[int, list[int]]:
