@@ -101,7 +101,7 @@ export declare class FrameConfigResponse extends Response {
     /** Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame: vehicle. */
     translation: types.Vector3f;
     /**
-     * Rotates vectors of the frame into the vehicle frame. Selected by `format`.
+     * Rotates vectors of this frame into the vehicle frame. Selected by `format`.
      *
      * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw of the frame relative to
      *   the vehicle; positive are right side down, nose up, and clockwise seen from above. Elements: x, y, z. Unit:
@@ -174,7 +174,7 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
      */
     translation?: types.Vector3f;
     /**
-     * Rotates vectors of the frame into the vehicle frame. Selected by `format`. Required for `write`.
+     * Rotates vectors of this frame into the vehicle frame. Selected by `format`. Required for `write`.
      *
      * - If `format` is `AidingFrameFormat.EULER`: `euler: types.Vector3f`. Roll, pitch and yaw of the frame relative to
      *   the vehicle; positive are right side down, nose up, and clockwise seen from above. Elements: x, y, z. Unit:

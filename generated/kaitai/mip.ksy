@@ -7579,7 +7579,7 @@ types:
       - id: rotation
         type: rotation_cases
         if: function_value == function_selector::write or (_io.size > 16 and ((format == aiding_aiding_frame_format::euler and _io.size >= 28) or (format == aiding_aiding_frame_format::quaternion and _io.size >= 32)))
-        doc: Rotates vectors of the frame into the vehicle frame.
+        doc: Rotates vectors of this frame into the vehicle frame.
     types:
       rotation_cases:
         -kind: union
@@ -7838,7 +7838,7 @@ types:
         doc: "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle."
       - id: rotation
         type: rotation_cases
-        doc: Rotates vectors of the frame into the vehicle frame.
+        doc: Rotates vectors of this frame into the vehicle frame.
     types:
       rotation_cases:
         -kind: union

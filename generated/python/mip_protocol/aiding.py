@@ -158,7 +158,7 @@ class FrameConfigResponse(Response):
     vehicle.
     """
     rotation: types.Vector3f | types.Quatf | None
-    """Rotates vectors of the frame into the vehicle frame. Selected by `format`.
+    """Rotates vectors of this frame into the vehicle frame. Selected by `format`.
 
     - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw of the frame
       relative to the vehicle; positive are right side down, nose up, and clockwise seen from above.
@@ -331,7 +331,7 @@ class FrameConfig(Command[R]):
     vehicle. Required for `write`.
     """
     rotation: types.Vector3f | types.Quatf | None
-    """Rotates vectors of the frame into the vehicle frame. Selected by `format`. Required for
+    """Rotates vectors of this frame into the vehicle frame. Selected by `format`. Required for
     `write`.
 
     - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw of the frame

@@ -360,7 +360,7 @@ def change(response: Response, /, **values: Any) -> Command:
     Raises TypeError if it has no such value, if the response lacks one that is not in `values`,
     or if it is not that of one command that can write; and EncodeError for wrong values.
     """
-    from inspect import signature
+    from inspect import signature  # only here: a program that does not call this need not load it
 
     writes: list[Any] = [x for kind in response.COMMANDS if (x := getattr(kind, "write", None))]
     if len(writes) != 1:

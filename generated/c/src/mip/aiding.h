@@ -144,7 +144,7 @@ struct mip_aiding_frame_config {
      */
     float translation[3];
     /**
-     * Rotates vectors of the frame into the vehicle frame. Selected by format. Required for write.
+     * Rotates vectors of this frame into the vehicle frame. Selected by format. Required for write.
      */
     union mip_aiding_frame_config_rotation rotation;
 };
@@ -237,7 +237,7 @@ struct mip_aiding_frame_config_response {
      * vehicle.
      */
     float translation[3];
-    /** Rotates vectors of the frame into the vehicle frame. Selected by format. */
+    /** Rotates vectors of this frame into the vehicle frame. Selected by format. */
     union mip_aiding_frame_config_rotation rotation;
 };
 

@@ -33,8 +33,8 @@ MIP_CALL_WITH(mip_call_aiding_frame_config_with, mip_aiding_frame_config,
  * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
  * - translation: Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m.
  *   Frame: vehicle. Required for write.
- * - rotation: Rotates vectors of the frame into the vehicle frame. Selected by format. Required for
- *   write.
+ * - rotation: Rotates vectors of this frame into the vehicle frame. Selected by format. Required
+ *   for write.
  */
 static inline struct mip_result mip_call_aiding_frame_config_write(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,

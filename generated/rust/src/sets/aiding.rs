@@ -167,7 +167,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub translation: Option<types::Vector3f>,
-        /// Rotates vectors of the frame into the vehicle frame.
+        /// Rotates vectors of this frame into the vehicle frame.
         ///
         /// Selected by [`format`](FrameConfig::format). Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -1157,7 +1157,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle.
         pub translation: types::Vector3f,
-        /// Rotates vectors of the frame into the vehicle frame.
+        /// Rotates vectors of this frame into the vehicle frame.
         ///
         /// Selected by [`format`](FrameConfigResponse::format).
         pub rotation: FrameConfigRotation,
